@@ -14,7 +14,7 @@ namespace hsp {
 // other.
 class CurvePoints {
  public:
-  // Circles are at least as large as least_radius.
+  // A circle smaller than least_radius is taken to be so large.
   CurvePoints(const BallSet &balls, const Boundary &boundary, const MeshCurve &curve, bool is_circle,
               double least_radius = 0.0);
 
@@ -33,11 +33,11 @@ class CurvePoints {
 
 class BoundaryCurves {
  public:
-  // half_edges: 2 for each arc.
+  // curves: the most arcs and circles. The memory for half-edges is for two of each.
   void carve(Workspace &workspace, uint32_t curves);
 
-  // Numbers all curves and says how many segments of about the given length they have. The limit suffices. False if
-  // there are more than max_count.
+  // Numbers all curves and says how many segments of about the given length they have. There must be room for all
+  // curves. False if there are more than max_count segments, or if `patience` stops it.
   bool build(const BallSet &balls, const Boundary &boundary, double length, Patience &patience);
 
   uint32_t count() const { return count_; }
@@ -56,10 +56,9 @@ class BoundaryCurves {
   uint32_t count_ = 0;
 };
 
-// Of the arc of a half-edge on the ball of lower rank.
+// The length of an arc, named by its half-edge on the ball of lower rank.
 double length_of_arc(const BallSet &balls, const Boundary &boundary, uint32_t half_edge);
-// The segments of the arc of a half-edge on the ball of lower rank, and of a circle, as BoundaryCurves::build has them;
-// in doubles, which may be more than fits.
+// The segments of such an arc, and of a circle, as in BoundaryCurves::build; in doubles, which may be more than fits.
 double segments_of_arc(const BallSet &balls, const Boundary &boundary, uint32_t half_edge, double length);
 double segments_of_circle(const BallSet &balls, const Boundary &boundary, uint32_t circle, double length);
 

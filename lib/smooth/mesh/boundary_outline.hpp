@@ -1,8 +1,8 @@
-// The questions of a mesh to a boundary, the van der Waals or the solvent-accessible surface: on which spheres patches
-// lie, which curves bound these, and where the points of those are.
+// The questions that MeshBuilder asks about a boundary, a van der Waals or solvent-accessible surface: on which spheres
+// patches lie, which curves bound the patches, and where the points of the curves are.
 //
-// MeshBuilder asks the same of the smooth surface (surface_outline.hpp): corners, curves with points between their
-// ends, spheres with patches, and bands that are no part of any sphere.
+// It asks the same about the smooth surface (surface_outline.hpp): corners, curves with points between their ends,
+// spheres with patches, and bands that are no part of any sphere.
 #pragma once
 
 #include "mesh/boundary_curves.hpp"
@@ -15,14 +15,14 @@ namespace hsp {
 // large.
 Status expected_mesh_limits(const BallSet &balls, const Boundary &boundary, double edge, MeshLimits &limits);
 
-// The distance of points on a sphere as an angle.
+// The angle between neighbouring points on a sphere for edges of this length.
 double spacing_on(double radius, double edge);
 
 MeshVertex mesh_vertex(const BallSet &balls, const Position &position, const Vec3 &normal, uint32_t ball);
-// In a direction from the centre of a ball, so far away.
+// The vertex in a direction from the centre of a ball, at the distance `radius`.
 MeshVertex vertex_on_ball(const BallSet &balls, uint32_t ball, double radius, const Vec3 &direction);
 
-// The centres of caps whose circles bound the ball's faces.
+// Makes the patch keep off the caps whose circles bound the ball's faces.
 void keep_off_neighbours(const BallSet &balls, const Boundary &boundary, uint32_t ball, SphericalPatch &patch);
 
 // The chosen faces of a boundary, of which a mesh is made, numbered on each ball.
@@ -30,7 +30,7 @@ class MeshedFaces {
  public:
   MeshedFaces(const Boundary &boundary, const ChosenFaces &chosen) : boundary_(boundary), chosen_(chosen) {}
 
-  // Calls visit(face, number) for those of a ball.
+  // Calls visit(face, number) for the chosen faces of a ball.
   template <class Visit>
   void visit(uint32_t ball, Visit visit) const {
     uint32_t number = 0;
@@ -43,9 +43,9 @@ class MeshedFaces {
     visit(ball, [&found](uint32_t, uint32_t) { found = true; });
     return found;
   }
-  // Of these faces on the unit sphere.
+  // The solid angle of the chosen faces of a ball.
   double steradians(const BallSet &balls, uint32_t ball) const;
-  // Number k of the ball.
+  // Chosen face number k of the ball.
   uint32_t face(uint32_t ball, uint32_t k) const {
     if (chosen_.all()) return boundary_.faces(ball).first + k;
     uint32_t found = no_id;
@@ -73,9 +73,9 @@ class BoundaryOutline {
   MeshVertex corner(uint32_t v) const;
   // Every point between the curve's ends.
   void add_samples(uint32_t c, FixedVector<MeshVertex> &vertices) const;
-  // More points on it would lie too near each other to tell anything apart.
+  // Whether points would lie too near each other if the curve had more of them.
   bool is_too_fine(uint32_t c) const;
-  // The curve that has as many points, if not itself.
+  // The curve that must have as many points as c; c itself if there is none.
   uint32_t partner(uint32_t c) const { return c; }
   template <class Sink>
   void for_each_sphere(uint32_t c, Sink sink) const {
@@ -86,7 +86,8 @@ class BoundaryOutline {
 
   bool has_patches(uint32_t sphere) const { return faces_.any(sphere); }
   double spacing(uint32_t sphere, double edge) const { return spacing_on(balls_.r[sphere], edge); }
-  // Less area than this, as of probes in the plane of their balls.
+  // Whether the patches of a sphere have less than some area, as those of probes in the plane of their balls: never on
+  // a ball.
   bool has_next_to_no_area(uint32_t, double) const { return false; }
   double steradians(uint32_t sphere) const { return faces_.steradians(balls_, sphere); }
   void add_border(uint32_t sphere, SphericalPatch &patch) const;
@@ -96,13 +97,13 @@ class BoundaryOutline {
   }
   uint32_t patch(uint32_t sphere, uint32_t face) const { return faces_.face(sphere, face); }
   PatchKind kind(uint32_t) const { return PatchKind::convex; }
-  // Of a triangle with this middle.
+  // The ball that a triangle with this middle belongs to.
   uint32_t ball_at(uint32_t sphere, const double (&)[3]) const { return sphere; }
 
   bool add_bands(double, Patience &, FixedVector<MeshVertex> &, FixedVector<MeshTriangle> &) const { return true; }
 
  private:
-  // In the order of their ranks for arcs.
+  // The two balls of a curve; those of an arc in the order of their ranks.
   void find_owners(uint32_t c, uint32_t owners[2]) const;
   MeshVertex vertex_at(const Position &position, const uint32_t *owners, uint32_t count) const;
   void add_loop(uint32_t ball, uint32_t loop, SphericalPatch &patch) const;

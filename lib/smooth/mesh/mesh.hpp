@@ -20,8 +20,8 @@ struct MeshLimits {
 struct MeshVertex {
   double position[3];  // in the caller's coordinates
   double normal[3];    // of length 1, outward; where patches meet along an edge, the middle of theirs
-  uint32_t ball;       // of the smooth surface as of its triangles; of a boundary one that it lies on: the first in
-                       // the caller's order
+  uint32_t ball;       // on the smooth surface as for triangles; on a boundary a ball that it lies on, the first of
+                       // these in the caller's order
 };
 
 struct MeshTriangle {

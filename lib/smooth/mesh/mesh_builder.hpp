@@ -1,4 +1,4 @@
-// Fills a mesh: patch by patch, until all that share a curve agree how many points it has.
+// Fills a mesh: patch by patch, until all patches that share a curve agree how many points it has.
 #pragma once
 
 #include "core/patience.hpp"

@@ -1,5 +1,4 @@
-// Borders of patches of any surface: a curve has its points once, so that all
-// patches that share it share them.
+// Borders of patches of any surface. A curve has its points once, so that all patches beside it share them.
 #pragma once
 
 #include "surface/surface_positions.hpp"
@@ -43,17 +42,17 @@ inline double segments_of(double length_of_curve, double length, double fewest) 
   return segments < fewest ? fewest : segments;
 }
 
-// Whether both ends of an arc are of the same three balls. Then there may be another arc between them, and not both may
-// be one segment.
+// Whether both ends of an arc are of the same three balls. Then another arc may have the same ends, and the two must
+// not both be a single segment.
 inline bool has_ends_of_same_balls(const Boundary &boundary, uint32_t half_edge) {
   const HalfEdge &start = boundary.half_edge(half_edge);
   return boundary.half_edge(start.next).circle == boundary.previous_circle(boundary.ball_of(half_edge), start);
 }
 
-// Where there is no other direction.
+// The direction to take if no other is known.
 inline constexpr Vec3 upwards{0.0, 0.0, 1.0};
 
-// A direction perpendicular to a unit vector: away from its longest axis.
+// A direction perpendicular to a unit vector, and to the coordinate axis that it is least along.
 inline Vec3 perpendicular_to(const Vec3 &axis) {
   constexpr Vec3 axes[] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
   const Vec3 &other = axes[axis_least_along(axis)];

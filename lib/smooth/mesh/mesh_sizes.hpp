@@ -24,12 +24,13 @@ class PointsInside {
   double points_ = 0.0;
 };
 
-// Triangles with sides of one length have two vertices for each triangle's area; those of a mesh are a little smaller.
+// Expected sizes. Equilateral triangles have one vertex for every two triangles; those of a mesh are a little smaller.
 class MeshSizes {
  public:
   void add_points(double points) { vertices_ += points; }
   // A sphere with patches of this solid angle, with so many points on their borders. Borders of many short arcs leave
-  // triangles that are divided. There is room for points all over it, unless these are far more than the patches have.
+  // triangles that are divided. There is room for points all over the sphere, unless they are far more than its patches
+  // have.
   void add_sphere(double border, double steradians, double spacing) {
     const double everywhere = expected_ring_points(spacing < largest_ring_spacing ? spacing : largest_ring_spacing);
     const double inside = 1.2 * everywhere * steradians / (4 * pi), most_inside = 4.0 * (border + inside) + 65536.0;

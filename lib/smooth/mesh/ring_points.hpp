@@ -14,11 +14,11 @@ inline constexpr double largest_ring_spacing = 2.0;
 
 // About how many points there are; they are never more than 1.5 times that and 8.
 inline double expected_ring_points(double spacing) {
-  return 14.6 / (spacing * spacing);  // 4 pi divided by sqrt(3)/2, the share of the plane that a triangle has
+  return 14.6 / (spacing * spacing);  // 4 pi over sqrt(3)/2, the area for each vertex of equilateral triangles
 }
 
-// Calls sink(point) for every one, but for those of circles of which needs(sine, cosine) says that none is needed, by
-// their angle from the z axis. Circles of few points are not asked about.
+// Calls sink(point) for every point. The points of a circle are left out if needs(sine, cosine), of the circle's angle
+// from the z axis, says that none of them is needed. This is not asked for circles of few points.
 template <class Needs, class Sink>
 void for_each_ring_point(double spacing, Needs needs, Sink sink) {
   constexpr uint32_t few = 256;

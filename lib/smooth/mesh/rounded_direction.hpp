@@ -17,7 +17,7 @@ struct RoundedDirection {
 
 inline constexpr double rounded_radius = 0x1p30;
 
-// Upwards where there is no direction, as at a ball without radius: then points coincide, which no structure survives.
+// A vector without length becomes the direction upwards, as at a ball without radius: there all points coincide.
 inline RoundedDirection rounded(const Vec3 &v) {
   const double square = dot(v, v);
   if (!(square > 0.0)) return {0, 0, static_cast<int32_t>(rounded_radius)};

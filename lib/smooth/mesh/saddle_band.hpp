@@ -13,7 +13,7 @@ namespace hsp {
 
 class SaddleBand {
  public:
-  // Of an arc, named by its half-edge on ball 1, and of a circle.
+  // The band of an arc, named by its half-edge on ball 1, or of a circle.
   SaddleBand(const BallSet &balls, const Boundary &boundary, uint32_t half_edge, bool has_cusps);
   SaddleBand(const BallSet &balls, const Boundary &boundary, ClosedHalfEdge on_ball_1, bool has_cusps);
 
@@ -29,7 +29,7 @@ class SaddleBand {
   // The unit vector e at k of `segments` turns, and at an end of the arc.
   Vec3 outward(uint32_t k, uint32_t segments) const;
   Vec3 outward_at_end(uint32_t end) const { return end_[end]; }
-  // Where the probe's centre is; on a circle of at least this radius.
+  // The position of the probe's centre; on a circle of at least this radius.
   Position probe(const Vec3 &outward, double least_radius = 0.0) const {
     return {centre_.ball, centre_.offset + (radius_ < least_radius ? least_radius : radius_) * outward};
   }

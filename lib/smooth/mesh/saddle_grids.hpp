@@ -1,4 +1,5 @@
-// The saddles of the smooth surface as triangles: every part of a saddle is a grid of as many points on opposite edges.
+// The saddles of the smooth surface as triangles: every part of a saddle is a grid, with equally many points on
+// opposite edges.
 #pragma once
 
 #include "mesh/mesh_sizes.hpp"
@@ -14,8 +15,8 @@ class SaddleGrids {
   void add_sizes(double length, MeshSizes &sizes) const;
   // Whether the chosen patches have no more triangles than any limit allows. Makes none.
   bool fit(double length, Patience &patience) const;
-  // Of chosen patches. Edges of whole circles' profiles have about this length. False if there are more triangles than
-  // any limit allows.
+  // Adds the triangles of chosen patches. Along the profile of a whole circle edges have about this length. False if
+  // there are more triangles than any limit allows.
   bool add_triangles(double length, Patience &patience, FixedVector<MeshVertex> &vertices,
                      FixedVector<MeshTriangle> &triangles) const;
 

@@ -1,8 +1,9 @@
-// A triangulation of points of a sphere, all of it: Delaunay by insertion, then edges that are wanted by flips.
+// A triangulation of a whole sphere with given points: Delaunay by insertion of the points, then required edges by
+// flips.
 //
 // It begins as an octahedron, so that there is no point at infinity and a whole sphere needs no special case. All
-// triangles run counter-clockwise seen from outside, exactly, whatever the points; that they are Delaunay's holds as
-// far as the rounded points are on one sphere.
+// triangles run counter-clockwise seen from outside, exactly, whatever the points. They are Delaunay triangles as far
+// as the rounded points are on one sphere.
 #pragma once
 
 #include "core/status.hpp"
@@ -11,7 +12,7 @@
 
 namespace hsp {
 
-// A triangle and one of its edges, that opposite corner `edge`.
+// A triangle and one of its edges: the one opposite corner `edge`.
 struct TriangleEdge {
   uint32_t triangle, edge;
 };
@@ -40,12 +41,12 @@ class SphereTriangulation {
   // For so many points, the octahedron's among them.
   void carve(Workspace &workspace, uint32_t points);
 
-  // Corner k of the octahedron, in one of some orientations.
+  // Corner k of the octahedron in orientation `turn`, one of octahedron_turns.
   static Vec3 octahedron_corner(uint32_t turn, uint32_t k);
-  // The octahedron alone. The points' limit is at least 6.
+  // Starts with the octahedron alone. There must be room for at least its 6 points.
   void start(uint32_t turn);
 
-  // The number of the point, which is that of an earlier one if they coincide. Its capacity suffices.
+  // Returns the number of the point, which is that of an earlier one if the two coincide. There must be room for it.
   uint32_t insert(const RoundedDirection &p);
   // Makes the edge from a to b one that stays. False if it meets a point or such an edge: `obstacle` then becomes one
   // of the points there.
@@ -55,14 +56,14 @@ class SphereTriangulation {
   // Takes away a point where no fixed edge ends; its number is not used again, those of triangles change. False if the
   // triangles around it cannot give way to others.
   bool remove(uint32_t p);
-  // Flips what fix_edge and remove have left that is not Delaunay's.
+  // Flips the edges that fix_edge and remove have left and that are not Delaunay edges.
   void restore_all();
 
   uint32_t point_count() const { return point_count_; }
   const RoundedDirection &point(uint32_t p) const { return point_[p]; }
   uint32_t triangle_count() const { return triangle_count_; }
   const SphereTriangle &triangle(uint32_t t) const { return triangle_[t]; }
-  // One of those around a point.
+  // One of the triangles around a point.
   uint32_t triangle_at(uint32_t p) const { return triangle_at_[p]; }
   // The triangle to the left of the edge from a to b, and the edge there. False if there is none.
   bool find_edge(uint32_t a, uint32_t b, TriangleEdge &found) const;
@@ -93,7 +94,7 @@ class SphereTriangulation {
   Span<uint32_t> triangle_at_;  // [points] one of the triangles around each
   Span<SphereTriangle> triangle_;
   Span<uint32_t> stack_;  // triangles
-  Span<Pair> crossing_;   // edges that cross the one wanted, a ring
+  Span<Pair> crossing_;   // edges that cross the required one, a ring buffer
   uint32_t point_count_ = 0;
   uint32_t triangle_count_ = 0;
   uint32_t stacked_ = 0;

@@ -2,13 +2,13 @@
 // and they any number of loops, or none.
 //
 // The sphere is triangulated as a whole (sphere_triangulation.hpp): the points on the borders, and points all over it
-// that keep away from them. Between the chord of a border and its arc the sphere is to the left of the border, but not
+// that keep away from them. Between the chord of a border and its arc the sphere is to the left of the chord, but not
 // free: no point stays there. The borders become edges, and what lies to their left is taken. Which loops belong to one
 // face is known beforehand; that the triangles agree is checked, with the number of triangles that Euler's formula
 // demands, so that a border sampled too coarsely is noticed and never yields a wrong mesh.
 //
-// Where borders touch, or run along each other, there are triangles without area between them (pinched_patch.cpp).
-// Where no number of points tells them apart `pinched` lets them make detours through each other's points.
+// Where borders touch, or run along each other, there are triangles without area between them (pinched_patch.cpp). If
+// no number of points tells borders apart, `pinched` lets them make detours through each other's points.
 #pragma once
 
 #include "core/fixed_vector.hpp"
@@ -23,12 +23,12 @@ struct BorderSample {
   Vec3 direction;           // from the sphere's centre, of any length
   uint32_t vertex;          // its number in the mesh
   uint32_t curve;           // that leads to the next one
-  uint32_t other_patch[2];  // of those that share the point, besides this one, and that may join any of their points:
-                            // no_id if there are fewer, any_patch for a point that many may share
+  uint32_t other_patch[2];  // other patches that have this point too and may join it with any of their points; no_id if
+                            // there are fewer, any_patch for a point that many patches may have
 
   static constexpr uint32_t any_patch = no_id - 1;
 
-  // Whether another patch might have an edge between the two, too.
+  // Whether another patch might have an edge between the two samples, too.
   bool may_be_joined_elsewhere(const BorderSample &other) const {
     for (const uint32_t p : other_patch) {
       if (p == no_id) continue;
@@ -57,13 +57,13 @@ class SphericalPatch {
   // Faces are numbered from 0 on; the loops of one follow each other.
   void begin_loop(uint32_t face);
   void add(const BorderSample &sample);
-  // Without loops the whole sphere is face 0.
-  // pinched: what runs along something else on the way to the next point may take the same way.
+  // Without loops the whole sphere is face 0. pinched: a border that runs along another one may take the same edges of
+  // the triangulation.
   PatchState triangulate(bool pinched = false);
   // From the order of the points alone, where the patch has no area (patch_from_loops.cpp).
   PatchState triangulate_from_loops();
 
-  // The points that have been there, or an upper bound of them after PatchState::capacity.
+  // The number of points that were needed, or after PatchState::capacity an upper bound of it.
   uint64_t needed_points() const { return needed_points_; }
   // After PatchState::too_coarse: calls sink(curve) for the curves that want more points.
   template <class Sink>
@@ -95,10 +95,11 @@ class SphericalPatch {
     bool coarse;
     bool closed;  // a wedge ends here
     uint32_t face;
-    uint32_t closing;  // the sample at the same point where the next border ends, counter-clockwise from the way to the
-                       // next one on; no_id if there is no such way
+    uint32_t closing;  // the sample at the same point at which the border ends that is next, counter-clockwise from the
+                       // way to the next sample on; no_id if there is no such way
     uint32_t middle;   // a sample between this one and that, if there has to be one, else no_id
   };
+  // A triangle of the patch that is none of the sphere's triangles.
   struct Ear {
     uint32_t face;
     uint32_t sample[3];
@@ -168,11 +169,11 @@ class SphericalPatch {
   double spacing_ = 1.0;
   bool all_coarse_ = false;
   bool has_corridors_ = false;
-  uint32_t border_samples_ = 0;  // those behind belong to no border
-  uint32_t linked_samples_ = 0;  // of these, those behind are linked to nothing
+  uint32_t border_samples_ = 0;  // samples behind these belong to no border
+  uint32_t linked_samples_ = 0;  // samples behind these are linked to nothing
   uint64_t needed_points_ = 0;
   uint32_t waiting_ = 0;      // in the queue
-  uint32_t border_caps_ = 0;  // those behind are about corners of the octahedron
+  uint32_t border_caps_ = 0;  // caps behind these are about corners of the octahedron
   uint32_t latest_cap_ = 0;
   SphereTriangulation sphere_;
   FixedVector<BorderSample> samples_;

@@ -8,7 +8,7 @@
 
 namespace hsp {
 
-// The points of a crease at equal angles, from its start; no_id: a whole circle.
+// The points of a crease at equal angles, from its start corner on; start is no_id for a whole circle.
 class CreasePoints {
  public:
   CreasePoints(const SurfaceMap &map, uint32_t edge, uint32_t start);
@@ -46,11 +46,11 @@ class SurfaceCurves {
 
   // Segments of about the given length, in doubles, which may be more than fits.
   double segments(uint32_t c, double length) const;
-  // Gives all curves their segments. False if there are more than max_count.
+  // Gives all curves their segments. False if there are more than max_count, or if `patience` stops it.
   bool divide(double length, Patience &patience);
-  // More points on it would lie too near each other to tell anything apart.
+  // Whether points would lie too near each other if the curve had more of them.
   bool is_too_fine(uint32_t c) const;
-  // The curve that has as many points, if not itself.
+  // The curve that must have as many points as c; c itself if there is none.
   uint32_t partner(uint32_t c) const;
 
   // The vertices that patches share (surface_vertices.cpp): a corner by the map's number, and every point between the

@@ -1,9 +1,10 @@
-// The questions of a mesh to the smooth surface, to the part of it that is measured (boundary_outline.hpp). Corners and
+// The questions of boundary_outline.hpp about the smooth surface: about the part of it that is measured. Corners and
 // curves are those of SurfaceMap. Convex patches lie on balls, concave ones on the probe's sphere at a vertex; saddles
 // are bands between them.
 //
-// No two patches join the same points twice but along a shared edge: bands join neighbours alone, patches on balls
-// share no two points of theirs with others but along an edge, and pieces at vertices share their creases' points.
+// Two vertices of the mesh must not be joined by edges in two patches, unless along a curve that these share. Bands
+// join neighbouring points alone. A patch on a ball has no two points in common with another patch but along a curve.
+// Pieces at vertices have points of creases in common: see BorderSample::other_patch.
 #pragma once
 
 #include "mesh/saddle_grids.hpp"
@@ -41,7 +42,7 @@ class SurfaceOutline : public SurfaceCurves {
   }
   double spacing(uint32_t sphere, double edge) const;
   double steradians(uint32_t sphere) const;
-  // A patch that others may cut has less area than this, on the unit sphere.
+  // Whether the concave patch of a vertex, if other probes may cut it, has less area than this on the unit sphere.
   bool has_next_to_no_area(uint32_t sphere, double least) const;
   void add_border(uint32_t sphere, SphericalPatch &patch) const;
   // A point inside a patch.

@@ -20,7 +20,7 @@ enum class SurfaceInvariant : uint32_t {
   totals = 9,
 };
 
-// Its id is that of a directed edge, patch, vertex or shell.
+// Its id is that of a directed edge, patch, vertex or shell, as the invariant demands; no_id for some sums over all.
 using SurfaceViolation = Violation<SurfaceInvariant>;
 
 SurfaceViolation check_surface(const SurfaceMap &map);

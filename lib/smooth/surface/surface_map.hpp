@@ -1,5 +1,5 @@
-// The smooth surface as a map: patches, edges between two patches each, corners. All numbers follow from those of the
-// boundary, exceptions come after them.
+// The smooth surface as a map: patches, edges between two patches each, corners. All ids follow from those of the
+// boundary; exceptions have ids behind these.
 //
 // With F faces, A arcs, C circles and V vertices of the boundary, arcs numbered by the first of their two half-edges:
 //   patch   f                     convex
@@ -27,7 +27,8 @@ enum class PatchKind : uint8_t { convex, saddle, concave, circle_saddle };
 struct SurfacePatch {
   PatchKind kind;
   uint32_t source;  // face, arc, circle or vertex
-  uint32_t part;    // of a saddle with cusps, the ball (0 or 1) that it lies at; of a concave patch, the piece
+  uint32_t part;    // of a saddle with cusps, the ball (0 or 1) that it lies at; of a concave patch, the id
+                    // of its piece among cut patches, no_id if it is whole
 };
 
 enum class SurfaceEdgeKind : uint8_t { rim, circle_rim, side, crease };
@@ -62,16 +63,17 @@ class SurfaceMap {
   uint32_t origin(uint32_t h) const;  // corner; no_id if the edge is a whole circle
   // A directed edge with the patch on its left; no_id if it has none: a whole sphere.
   uint32_t first_edge(uint32_t patch) const;
-  // Of the next loop around the same patch, the first one after the last.
+  // A directed edge of the next loop around the same patch; after the last loop one of the first.
   uint32_t next_loop(uint32_t h) const;
 
-  // The patch of a vertex; of a cut one that of a piece.
+  // The concave patch of a vertex; if it is cut, that of the given piece.
   uint32_t concave_patch(uint32_t vertex, uint32_t piece) const;
   uint32_t patch_of_piece(uint32_t piece) const;
-  // no_id for a corner where no edge ends: the cusp of a whole circle.
+  // The shell of a patch or corner; no_id for a corner where no edge ends: the cusp of a whole circle.
   uint32_t shell_of(uint32_t patch) const;
   uint32_t shell_of_corner(uint32_t corner) const;
-  // A cusp is a corner of both parts if its circle has arcs of both: the shell of the other one, else no_id.
+  // If the circle of a cusp has arcs of both parts (chosen_faces.hpp), the cusp is a corner of both: the shell of the
+  // part that shell_of_corner does not mean. Else no_id.
   uint32_t other_shell_of_cusp(uint32_t corner) const;
   // Whether a patch is of the part that is measured.
   bool is_chosen(uint32_t patch) const { return surface_.chosen().has(face_beside(patch)); }
@@ -106,10 +108,10 @@ class SurfaceMap {
 
   // Half-edges of arcs.
   uint32_t arc_of(uint32_t half_edge) const;
-  uint32_t side_of(uint32_t half_edge) const;  // the slot of its ball among the two of the arc
+  uint32_t side_of(uint32_t half_edge) const;  // its ball's place among the arc's two balls, in the caller's order
   uint32_t half_edge_of(uint32_t arc, uint32_t side) const;
   uint32_t cusped_circle_of(uint32_t half_edge) const;  // no_id if there are no cusps
-  // A whole circle, as that one of its two balls sees it.
+  // A whole circle, as seen on its ball number `side`.
   ClosedHalfEdge circle_on(uint32_t circle, uint32_t side) const {
     const ClosedHalfEdge first(circle, 0);
     return circle_side_of(first) == side ? first : ClosedHalfEdge(circle, 1);
@@ -134,7 +136,7 @@ class SurfaceMap {
   // A directed edge, decoded. Outward: its left patch is convex, or concave; else it is a saddle.
   struct Directed {
     SurfaceEdge edge;
-    uint32_t arc;  // of cut patches, if it is one
+    uint32_t arc;  // of cut patches, if the left patch is cut
     bool outward;
     bool at_other;  // a part of a side that is not at the ball of its half-edge
   };
@@ -149,8 +151,8 @@ class SurfaceMap {
   uint32_t side_of_saddle(uint32_t half_edge, bool at_other) const;
   uint32_t edge_of_patch_arc(uint32_t arc) const;
   uint32_t patch_arc_of_side(uint32_t half_edge, uint32_t part) const;
-  // The half-edge that starts at a vertex on the circle of two of its balls; around the concave patch, the half-edges
-  // of the sides before and after that of a half-edge.
+  // The half-edge that starts at a vertex on the circle of its two balls that are not in slot `opposite`. Around the
+  // concave patch, the half-edges of the sides before and after that of a half-edge.
   uint32_t half_edge_on_circle(uint32_t vertex, uint32_t opposite) const;
   uint32_t side_before(uint32_t half_edge) const;
   uint32_t side_after(uint32_t half_edge) const;
@@ -159,7 +161,7 @@ class SurfaceMap {
   uint32_t cusped_arc_of(uint32_t half_edge) const;
   uint32_t corner_at(uint32_t vertex, uint32_t ball) const;
   uint32_t cusp_at(uint32_t circle, uint32_t ball) const;
-  // Of a half-edge on ball 0 of the circle that a cusp is on.
+  // The shell at a cusp beside a half-edge on ball 0 of its circle.
   uint32_t shell_at_cusp(uint32_t cusp, uint32_t half_edge) const {
     return surface_.shells().of_face(boundary_.face_of(cusp % 2 == 0 ? half_edge : boundary_.twin(half_edge)));
   }

@@ -28,7 +28,7 @@ VertexCrease crease_on_probe(const SurfaceMap &map, uint32_t arc);
 // The circle that two vertices are on, by its balls; false if they share fewer balls, or all three.
 bool find_common_circle(const Boundary &boundary, uint32_t v, uint32_t w, uint32_t (&ball)[2]);
 
-// The same direction, of length 1; what `instead` says if it has no length.
+// The unit vector along v; `instead` if v has no length.
 inline Vec3 unit(const Vec3 &v, const Vec3 &instead) {
   const double square = dot(v, v);
   return square > 0.0 ? 1.0 / std::sqrt(square) * v : instead;

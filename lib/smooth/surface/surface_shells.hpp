@@ -15,7 +15,7 @@ class SurfaceShells {
  public:
   // Memory for all faces and pieces of cut patches.
   void use(Span<uint32_t> memory) { shell_ = memory; }
-  // Not all of them if that is stopped.
+  // Incomplete if `patience` stops it.
   void find(const Boundary &boundary, const CuspedCircles &cusped, const CutPatches &cut, Patience &patience);
 
   uint32_t count() const { return count_; }

@@ -48,8 +48,8 @@ struct TriangleKernel {
     }
   };
 
-  // Doubles serve as they do in measure/arc_kernel.hpp, whose conditions and errors these are: the vertex has one of
-  // 377 e times the ball's radius.
+  // Doubles are precise enough under the conditions of measure/arc_kernel.hpp, with the errors stated there: the vertex
+  // has an error of 377 e times the ball's radius.
   static void place(const BallArrays &balls, ProbeTriangles &t) {
     for (uint32_t s = 0; s < ProbeTriangles::lanes; s += n) {
       const Vector own = centre(balls, t.ball[0] + s);
@@ -64,10 +64,10 @@ struct TriangleKernel {
     }
   }
 
-  // With the directions d, and their cosines, which are exact but for rounding, and the discriminant
+  // The solid angle comes from the directions d, their cosines, which are exact but for rounding, and the discriminant:
   //   tan(area / 2) = det(d0, d1, d2) / (1 + d0.d1 + d1.d2 + d2.d0)        (Van Oosterom, Strackee 1983)
-  // where 2 R0 R1 R2 det = sqrt(D); the vector area is half the sum over the sides of angle times normal. Where two
-  // directions are opposite and both terms 0 there is no area.
+  // where 2 R0 R1 R2 det = sqrt(D); the vector area is half the sum over the sides of angle times normal. If two
+  // directions are opposite and both terms are 0, there is no area.
   static void measure(const BallArrays &balls, ProbeTriangles &t) {
     for (uint32_t s = 0; s < ProbeTriangles::lanes; s += n) {
       Vector from_first[3], corner[3];
@@ -93,7 +93,8 @@ struct TriangleKernel {
         const Real twice_cosine = radius[a] * radius[a] + radius[b] * radius[b] - dot(between, between);
         denominator += radius[k] * twice_cosine;
         const Real cosine = 0.5 * twice_cosine * inverse[a] * inverse[b];
-        // The vertex lies on the side of the balls' plane that its sign gives; the triple product has the other one.
+        // The vertex lies on the side of the balls' plane that its sign gives; the triple product has the opposite
+        // sign.
         const Vector normal = cross(corner[a], corner[b]);
         const Real sine = L::square_root(dot(normal, normal));
         const Mask proper = sine > 0.0;

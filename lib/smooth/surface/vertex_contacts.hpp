@@ -9,11 +9,11 @@ namespace hsp {
 
 struct VertexContacts {
   uint32_t slot;     // in the vertex's record, of the ball that sees it
-  uint32_t ball[3];  // that one first; the others in the order of the record, which begins anew behind its last
+  uint32_t ball[3];  // that one first; then the others in the cyclic order of the record
   Vec3 normal[3];
   Vec3 share;      // g_0
   double sign;     // of the determinant
-  double inverse;  // of its size
+  double inverse;  // 1 / its size
 
   // A vertex with a discriminant above 0. `offset` from the centre of ball `own` to it.
   VertexContacts(const BallSet &balls, const Boundary &boundary, uint32_t vertex, uint32_t own, const Vec3 &offset) {
@@ -32,7 +32,7 @@ struct VertexContacts {
     inverse = twice / boundary.root_discriminant(vertex);
     find_share();
   }
-  // The same as all three balls see it, to the last bit.
+  // Recomputes normals and share from the one position of the vertex, so that all three balls have the same bits.
   void see_as_all(const BallSet &balls, const Position &vertex) {
     for (uint32_t k = 0; k < 3; ++k)
       normal[k] = (1.0 / balls.r[ball[k]]) * (vertex.offset - balls.difference(vertex.ball, ball[k]));

@@ -5,9 +5,9 @@
 // parts of a saddle with those of theirs, a concave patch with the mean W of three. Then
 //   S' = integral of weight * 2H * (normal speed) + integral of weight * (conormal speed) along all borders
 // where a border counts once for either side. Along smooth joints the two sides cancel but for the difference of their
-// weights. Proofs and formulas are in PROOFS.md, section 9. Relative to w_i times the derivatives for equal weights,
-// which the caller has, ball i gets
-//   saddle   of its patches the other balls' parts, times the difference of weights
+// weights. Proofs and formulas are in PROOFS.md, section 9. The caller has w_i times the derivatives for equal weights.
+// In addition ball i gets
+//   saddle   of its saddle patches the other balls' parts, times the difference of weights
 //   waist    the border between two parts of a saddle
 //   vertex   the concave patch, its sides and its creases: all that moves with the vertex, as one vector
 //   side     what moves a side beyond that
@@ -24,7 +24,7 @@ struct AreaDerivatives {
   Vec3 centre{0.0, 0.0, 0.0};
   double radius = 0.0;
   double offset = 0.0;     // by t, see surface_gradients.hpp
-  bool one_sided = false;  // a waist is in a centre's plane, or a crease between vertices in one place
+  bool one_sided = false;  // the plane of a waist has a centre in it, or a crease is between vertices at one position
 };
 
 class WeightedJoints {
@@ -41,8 +41,8 @@ class WeightedJoints {
 
   // The arcs and circles of a batch, of which `saddles` has the radii.
   void add_saddles(const ArcBatch &batch, const SaddlePatches &saddles);
-  // A vertex on the ball with a discriminant above 0. `offset` from the ball's centre to it.
-  // equal_weights: what its speed is multiplied by in the derivatives for equal weights.
+  // A vertex on the ball with a discriminant above 0. `offset` from the ball's centre to it. equal_weights: the factor
+  // of the vertex's velocity in the derivatives for equal weights.
   void add_vertex(uint32_t vertex, const Vec3 &offset, const Vec3 &equal_weights);
 
   double weight() const { return weight_; }
