@@ -18,7 +18,8 @@ const hsp::BallSet &balls_of(const hsp_surface &surface) {
   return surface.boundary->balls();
 }
 
-// For the triangles of a boundary or a surface: expect(steps, enough) says what suffices for edges of so many steps.
+// Limits for the mesh of a boundary or a surface. expect(steps, enough) writes limits that suffice for edges of so many
+// lattice steps.
 template <class Source, class Expect>
 int32_t init_limits(hsp_mesh_limits *limits, uint32_t struct_size, const Source *source, double edge_length,
                     Expect expect) {
@@ -34,7 +35,8 @@ int32_t init_limits(hsp_mesh_limits *limits, uint32_t struct_size, const Source 
   return hsp::capi::to_c(status);
 }
 
-// build(steps, patience) makes the triangles and names the boundary.
+// Computes a mesh. build(steps, patience) makes the triangles, for edges of so many lattice steps, and stores the
+// boundary in the handle.
 template <class Source, class Build>
 int32_t compute(hsp_mesh *mesh, const Source *source, double edge_length, const hsp_mesh_request *request,
                 hsp_mesh_limits *limits, Build build) {
@@ -73,7 +75,8 @@ void share_areas(const hsp::Mesh &mesh, double *areas) {
   share_out(mesh, areas, [&](uint32_t t) { return third_of_area(mesh, mesh.triangle(t)); });
 }
 
-// The same, but the triangles of a patch have its area in all; where they have none themselves, equal parts.
+// The same, but the triangles of a patch share the patch's given area in proportion to their own areas; equally, if
+// they have none.
 void share_areas_of_patches(const hsp::Mesh &mesh, const double *area, double *weights) {
   hsp::IdRange own{0, 0};
   double factor = 0.0;

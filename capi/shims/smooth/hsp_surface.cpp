@@ -12,8 +12,9 @@ hsp_surface_totals to_c(const hsp::SurfaceMeasure &measure) {
   return {measure.area(), measure.volume, measure.convex, measure.saddle, measure.concave};
 }
 
-// Cases that no ball's own faces show. Of equal balls all but one have no vertices. Without a probe all balls that
-// touch from inside count, with one those of different weights: their shares have a kink, the sum has not.
+// Sets HSP_SURFACE_DEGENERATE in cases that a ball's own faces do not show. Of equal balls all but one have no
+// vertices. Balls that touch from inside are flagged, too: without a probe all of them, with a probe those of different
+// weights, whose shares have a kink though the sum has none.
 void flag_degenerate_balls(const hsp::CubeGrid &grid, const hsp::Boundary &boundary, const hsp::Surface &surface,
                            const hsp::AreaWeights &weights, bool any_tied, uint32_t *flags) {
   const hsp::BallSet &balls = grid.balls();

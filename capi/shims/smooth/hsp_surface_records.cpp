@@ -7,7 +7,7 @@ using namespace hsp::capi;
 
 namespace {
 
-// Records of a surface with results.
+// The structures behind a surface with results, and corner numbers of the interface.
 struct SurfaceResults {
   const hsp::BallSet &balls;
   const hsp::Boundary &boundary;
@@ -21,8 +21,8 @@ struct SurfaceResults {
         map(balls, boundary, surface) {}
 
   uint32_t caller(uint32_t ball) const { return balls.caller[ball]; }
-  // Corners at balls and cusps are numbered by the caller's order of their balls, in lib/ by the grid's. Each way is
-  // the reverse of the other.
+  // In the interface, corners at balls and cusps are numbered by the caller's order of their balls; in lib/ by the
+  // grid's order. corner_from_c is the inverse of corner_to_c.
   uint32_t corner_to_c(uint32_t corner) const {
     if (corner < map.first_cusp()) {
       const hsp::VertexRecord &vertex = boundary.vertex(corner / 3);
@@ -137,7 +137,7 @@ hsp_surface_corner corner_record(const SurfaceResults &results, uint32_t id) {
   return record;
 }
 
-// Records first .. first + count - 1 of number(map).
+// Writes records first .. first + count - 1 of the number(map) records that there are.
 template <class Record, class Number, class Make>
 int32_t get_range(const hsp_surface *surface, uint32_t first, uint32_t count, Record *out, Number number, Make make) {
   const auto all = [](const hsp_surface &) { return HSP_NONE; };
@@ -150,7 +150,7 @@ int32_t get_range(const hsp_surface *surface, uint32_t first, uint32_t count, Re
   return HSP_OK;
 }
 
-// step(results, h), if there is such a directed edge.
+// step(results), or HSP_NONE if there are no results or no directed edge h.
 template <class Step>
 uint32_t take_step(const hsp_surface *surface, uint32_t h, Step step) {
   if (!is_live(surface) || !surface->has_results()) return HSP_NONE;

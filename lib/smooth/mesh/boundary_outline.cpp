@@ -59,7 +59,7 @@ void keep_off_neighbours(const BallSet &balls, const Boundary &boundary, uint32_
     const CircleGeometry circle(balls, ball, other);
     patch.keep_off(circle.axis, circle.height / balls.r[ball]);
   };
-  // Half-edges of a ball are in the order of their circles.
+  // Half-edges of a ball are in the order of their circles, so those of one circle follow each other.
   for (const uint32_t e : boundary.half_edges(ball)) keep_off(boundary.half_edge(e).circle);
   for (const ClosedHalfEdge e : boundary.circles(ball)) keep_off(boundary.neighbour(e));
 }

@@ -1,5 +1,5 @@
-// The borders of the concave patch of one vertex, or of the pieces that other probes leave of it. They are triangulated
-// by their outward normals, which point to the probe's centre.
+// The borders of the concave patch of one vertex, or of the pieces that other probes leave of it. Points are given to
+// SphericalPatch as the surface's outward normals there, which point to the probe's centre.
 #include "mesh/surface_outline.hpp"
 
 namespace hsp {
@@ -54,7 +54,7 @@ void ConcaveOutline::add_loop(uint32_t loop, SphericalPatch &patch) const {
   });
 }
 
-// Cusps are shared with the patches of all probes on the circle.
+// A cusp is a corner of the patches of all probes at vertices of its circle, too; so any_patch.
 void ConcaveOutline::add_corner(uint32_t corner, uint32_t curve, SphericalPatch &patch) const {
   BorderSample start{{}, corner, curve, {no_id, no_id}};
   if (corner < curves_.map().first_cusp()) {
@@ -67,7 +67,7 @@ void ConcaveOutline::add_corner(uint32_t corner, uint32_t curve, SphericalPatch 
   patch.add(start);
 }
 
-// Other pieces share points of creases.
+// The points of a crease belong to the patch of the probe across, too.
 void ConcaveOutline::add_crease(uint32_t h, bool is_closed, SphericalPatch &patch) const {
   const CutPatches &cut = curves_.surface().cut_patches();
   const SurfaceMap &map = curves_.map();
@@ -93,7 +93,7 @@ void ConcaveOutline::add_side(uint32_t h, SphericalPatch &patch) const {
   });
 }
 
-// Outward normals lie within the cone of the ways from the three balls to the probe's centre.
+// Outward normals lie within the cone of the vectors from the three balls to the probe's centre.
 void ConcaveOutline::keep_off_sides(SphericalPatch &patch) const {
   const uint32_t *const ball = curves_.boundary().vertex(vertex_).ball;
   Vec3 from[3];

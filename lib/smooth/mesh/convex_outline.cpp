@@ -1,5 +1,5 @@
-// The borders of the convex patches of one ball. They are triangulated by the directions of the probe's centre, seen
-// from the ball: a ball that is nothing but a point has its patches, too.
+// The borders of the convex patches of one ball. Points are given to SphericalPatch as the directions from the ball's
+// centre to the probe's centre: so even a ball of radius 0 has its patches.
 #include "mesh/surface_outline.hpp"
 
 namespace hsp {

@@ -1,9 +1,9 @@
-// The edges of a triangulation of a sphere that have to be there.
+// Makes edges that a triangulation of a sphere must have.
 #include "mesh/sphere_triangulation.hpp"
 
 namespace hsp {
 
-// The edges between a and b, from a on.
+// Gathers the edges that cross the edge from a to b, from a on. False if a point or a fixed edge is in the way.
 bool SphereTriangulation::gather_crossings(uint32_t a, uint32_t b, uint32_t &obstacle) {
   crossings_ = 0;
   const uint32_t first = triangle_at_[a];

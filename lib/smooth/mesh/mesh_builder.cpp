@@ -7,16 +7,17 @@ namespace hsp {
 
 namespace {
 
-// How often points of curves are doubled, and how many one may have then.
+// How often points of curves are doubled at most, and the most segments of a curve that is doubled.
 constexpr int most_rounds = 12;
 constexpr uint32_t most_segments = UINT32_C(1) << 14;
 // Borders may be pinched after so many rounds, or where points cannot be nearer each other.
 constexpr int rounds_before_pinching = 4;
-// No more vertices than so many times those of the first round, and some. Borders that come together would ask for ever
-// more of them.
+// There may be so many times the vertices of the first round, and some more. Borders that approach each other would ask
+// for ever more.
 constexpr uint64_t most_growth = 8;
 constexpr uint64_t growth_of_small_meshes = 20000;
-// Patches with less area, on the unit sphere, are made from their loops alone: at once, or where all else has failed.
+// Patches with less area on the unit sphere are made from their loops alone: below no_area at once, below small_area if
+// all else has failed.
 constexpr double no_area = 2e-7, small_area = 1e-2;
 
 }  // namespace
@@ -74,7 +75,8 @@ Status MeshBuilder::build_all(Outline &outline, double edge, Patience &patience)
   return patience.allows(0) ? Status::ok : Status::stopped;
 }
 
-// Follows from areas, before any point is made. Most meshes are not too fine even if all spheres were free.
+// Decided by areas, before any point is made. First all spheres are taken to be free as a whole: most meshes are not
+// too fine even then.
 template <class Outline>
 bool MeshBuilder::has_too_many_inside(const Outline &outline, double edge, Patience &patience) const {
   PointsInside at_most;
@@ -108,7 +110,7 @@ Status MeshBuilder::triangulate_all(Outline &outline, double edge, Patience &pat
     if (!patience.allows(50)) return Status::stopped;
     range_[s] = {0, 0, outline.has_patches(s), false};
   }
-  // Patches need none of what is stored, so that everything is counted even if there is no room for it.
+  // Patches read nothing that is stored in the mesh, so everything is counted even if there is no room for it.
   uint64_t most_vertices = 0;
   uint64_t before = 0;  // points of the sphere before
   int pinching_from = rounds_before_pinching;
@@ -139,7 +141,7 @@ Status MeshBuilder::triangulate_all(Outline &outline, double edge, Patience &pat
   return triangulate_rest(outline, edge, patience);
 }
 
-// All that has no triangles yet, or other points than its curves have now: without more points.
+// Makes all patches that have no triangles yet, or whose curves have other points than before, without any more points.
 template <class Outline>
 Status MeshBuilder::triangulate_rest(Outline &outline, double edge, Patience &patience) {
   for (uint32_t s = 0; s < outline.sphere_count(); ++s) {
@@ -163,7 +165,7 @@ void MeshBuilder::add_samples(Outline &outline, uint32_t c) {
   outline.add_samples(c, mesh_.vertices_);
 }
 
-// The triangles have the sphere as their ball until name_balls.
+// Until name_balls() the `ball` of a triangle is the number of its sphere.
 template <class Outline>
 PatchState MeshBuilder::attempt(Outline &outline, double edge, uint32_t sphere, Borders borders) {
   patch_.begin(outline.spacing(sphere, edge));
@@ -199,8 +201,8 @@ bool MeshBuilder::triangulate(Outline &outline, double edge, uint32_t sphere, bo
   return state == PatchState::complete;
 }
 
-// Twice as many points on the curves that want them, and on those that must have as many; the spheres on both sides are
-// triangulated again. False if there is no such curve, or one has too many points already; those behind it get none.
+// Doubles the segments of the curves that want it, and of their partners. The spheres on both sides become outdated.
+// False if no curve wants it, or if one has too many segments already; the curves behind that one get no more.
 template <class Outline>
 bool MeshBuilder::refine(Outline &outline, Patience &patience) {
   bool any = false;
@@ -286,7 +288,8 @@ void MeshBuilder::sort_by_patches(Patience &patience) {
     }
   });
   if (sorted) return;
-  // vertex_moves_ is free again. A slot is a patch if there is room for all, or some patches that follow each other.
+  // vertex_moves_ is free again. A slot is one patch if there is room for all patches, else some patches that follow
+  // each other.
   uint32_t shift = 0;
   while (last >> shift >= (vertex_moves_.size() - 1) / 2) ++shift;
   sort_by_slot(

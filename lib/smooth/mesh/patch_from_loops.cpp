@@ -1,10 +1,11 @@
-// Triangles for patches without area, whose borders no points on a sphere tell apart: from the order of the points on
-// their loops alone, wherever these are. So there is always a surface with these borders.
+// Triangles for patches without area, whose borders no points on a sphere tell apart. They are made from the order of
+// the points on the loops alone, wherever the points are. So there is always a surface with these borders.
 //
-// One way leads around all loops, over a bridge to every other one and back. Beside it runs a ring that has a point of
-// its own for each step, at the same place: no edge between the two, and none within the ring, is anywhere else. The
-// ring is a polygon without a point twice. Its corners are cut off one by one, those first whose neighbours are nearest
-// to each other: so borders that run along each other are closed like a zip.
+// One way leads around all loops of a face; from the first loop it takes a bridge to each other loop and back. Beside
+// the way runs a ring. It has a point of its own for each step of the way, at the same place, so no edge to the ring or
+// within it is an edge of anything else. The ring is a polygon that has no point twice. Its corners are cut off one by
+// one, first those whose neighbours are nearest to each other: so borders that run along each other are closed like a
+// zip.
 #include "mesh/spherical_patch.hpp"
 
 namespace hsp {
@@ -29,7 +30,7 @@ PatchState SphericalPatch::triangulate_from_loops() {
   return has_right_numbers() ? PatchState::complete : PatchState::too_coarse;
 }
 
-// The ring beside these loops, all of one face: one of its points.
+// Makes the ring beside these loops, all of one face. Returns one of its points.
 uint32_t SphericalPatch::ring_beside(uint32_t first_loop, uint32_t last_loop) {
   const uint32_t face = loops_[first_loop].face, start = loops_[first_loop].first;
   const uint32_t ring = add_extra(face, direction_of(start));
@@ -77,8 +78,9 @@ double SphericalPatch::square_between(uint32_t a, uint32_t b) const {
   return dot(way, way);
 }
 
-// By distances that grow: whatever is nearer than one of them is cut off before anything else. After a cut the corner
-// before it is asked again; all is done with a distance where as many corners as there are were left in a row.
+// Tries growing distances: corners whose neighbours are nearer than the current distance are cut off before all others.
+// After a cut the corner before it is tried again. A distance is done once all corners that are left have been passed
+// in a row without a cut.
 void SphericalPatch::cut_off_corners(uint32_t ring) {
   constexpr double least = 0x1p-60, growth = 4.0;
   if (samples_.overflowed()) return;

@@ -1,11 +1,12 @@
-// The cells without area of patches whose borders touch or run along each other (pinched_patch.cpp): they join what the
-// triangles beside them leave open. Points that belong to no border are added where an edge would be there twice.
+// The cells without area of patches whose borders touch or run along each other (pinched_patch.cpp): they close what
+// the triangles beside them leave open. If the same edge would be there twice, points that belong to no border are
+// added.
 #include "mesh/spherical_patch.hpp"
 
 namespace hsp {
 
-// Samples counter-clockwise, at most six, and no_id where there is none. Edges between points that other patches may
-// join, too, are those of the cell and never across it.
+// all: the samples around the cell, counter-clockwise, at most six; no_id for one that is missing. An edge between
+// points that other patches may join, too, is never inside the cell: it would be there twice.
 void SphericalPatch::add_cell(uint32_t face, const uint32_t *all, uint32_t most) {
   uint32_t corner[6], count = 0;
   for (uint32_t k = 0; k < most; ++k) {
@@ -28,14 +29,16 @@ void SphericalPatch::add_cell(uint32_t face, const uint32_t *all, uint32_t most)
   for (uint32_t k = 0; k < count; ++k) ears_.push({face, {centre, corner[k], corner[(k + 1) % count]}});
 }
 
-// The divider of an edge from b to a, if the border leads from b to a as well, or another patch may have it, too.
+// A new sample that divides the edge from b to a, if the border leads from b to a as well, or if another patch may have
+// the edge, too; else no_id.
 uint32_t SphericalPatch::middle_of(uint32_t a, uint32_t b) {
   if (a == b) return no_id;
   if (links_[b].next != a && !samples_[a].may_be_joined_elsewhere(samples_[b])) return no_id;
   return add_extra(links_[a].face, direction_between(a, b));
 }
 
-// A wedge may end where the border without length begins that leads to its own begin.
+// If the sample where a wedge ends is followed by the one where it begins, a border without length joins the two, and
+// nothing is divided.
 uint32_t SphericalPatch::middle_of_wedge(uint32_t sample) {
   const uint32_t end = links_[sample].closing;
   return links_[end].next == sample ? no_id : middle_of(end, sample);
@@ -80,8 +83,9 @@ bool SphericalPatch::close_wedge(uint32_t sample, const TriangleEdge &way) {
   links_[sample].closing = end;
   links_[sample].middle = middle_of_wedge(sample);
   if (end == sample) return true;
-  // The triangle there has the edge from `strand` to the sample instead of the border. So has one on the other side of
-  // a border that comes back, if the wedge at `strand` was closed before, at the end of the border from the sample.
+  // The last triangle has the edge from `strand` to this sample in place of the border. On the other side of a border
+  // that comes back another triangle has the same edge, if the wedge at `strand` was closed before and ends at the
+  // sample behind this one.
   uint32_t divided = middle_of(strand, sample);
   const uint32_t end_there = links_[strand].closing;
   if (divided == no_id && end_there != no_id && end_there != strand && links_[end_there].previous == sample) {
@@ -107,8 +111,8 @@ void SphericalPatch::add_corridors() {
   }
 }
 
-// The samples around a neck, counter-clockwise: from where a wedge begins to where it ends, along the border to where
-// the next one begins, and so on.
+// Calls visit for the samples around a neck, counter-clockwise: from the sample where a wedge begins to the one where
+// it ends, along the border to the one where the next wedge begins, and so on.
 template <class Visit>
 void SphericalPatch::for_each_of_neck(uint32_t sample, Visit visit) const {
   uint32_t at = sample;
@@ -123,7 +127,7 @@ void SphericalPatch::for_each_of_neck(uint32_t sample, Visit visit) const {
   } while (at != sample);
 }
 
-// Once for every neck, from its first sample where a wedge begins.
+// Adds each neck once: at the lowest of its samples where a wedge begins.
 bool SphericalPatch::add_necks() {
   for (uint32_t k = 0; k < linked_samples_; ++k) {
     if (!has_length(k) || links_[k].closing == k) continue;
@@ -151,7 +155,7 @@ bool SphericalPatch::add_necks() {
   return true;
 }
 
-// Faces that are there and have no extent, as those of a ball that is a point: all of the border is at one point.
+// Adds faces that exist but have no extent, as those of a ball of radius 0: their whole border is at one point.
 bool SphericalPatch::add_faces_without_extent() {
   uint32_t last = 0;
   for (uint32_t first = 0; first < loops_.size(); first = last) {

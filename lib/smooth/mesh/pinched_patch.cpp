@@ -1,19 +1,19 @@
 // Patches whose borders may touch or run along each other. No number of points tells such borders apart, but how they
 // hang together is known: every border leads from one of its points to the next, with the patch on its left.
 //
-// Borders may lie on each other. Where the straight way to the next point crosses another border it makes a detour
-// through a point of that one. Then what lies between borders is cells without area (pinched_cells.cpp):
+// Borders may lie on each other. If the straight way to the next point crosses another border, it makes a detour
+// through a point of that border. The gaps between borders are then cells without area (pinched_cells.cpp):
 //   detour    between the straight way and the detour
 //   corridor  between two ways along the same edge, there and back, with the patch between them
 //   wedge     the patch at a point, from the way to the next point on counter-clockwise to the next border, which ends
 //             at a sample there. If that is another one than the wedge begins with, the samples are joined by an edge,
 //             and a triangle with the way that ends there
 //   neck      those edges and borders without length at one point, if there are three of them and more
-// Two ways along one edge with the patch on both sides of them have nothing between them. Whether there is patch on a
-// side follows from where just one way runs: it is on its left.
+// Two ways along one edge with the patch on both sides of them have nothing between them. The side on which there is
+// patch follows from edges along which only one way runs: the patch is on its left.
 //
-// All cells together are a surface with the borders as its border, whatever the points: what is checked is that no two
-// ways claim the same side of an edge, that wedges and samples belong together one by one, and Euler's formula.
+// All triangles and cells together are a surface bounded by the borders, wherever the points are. Three things are
+// checked: no two ways claim the same side of an edge, each sample ends just one wedge, and Euler's formula holds.
 #include "mesh/spherical_patch.hpp"
 
 namespace hsp {
@@ -27,7 +27,7 @@ constexpr uint32_t uncovered = no_id - 2;
 
 }  // namespace
 
-// A sample that belongs to no border. Without room for it, any.
+// Adds a sample that belongs to no border. If there is no room for it, returns 0.
 uint32_t SphericalPatch::add_extra(uint32_t face, const Vec3 &direction) {
   samples_.push({direction, no_id, samples_[0].curve, {no_id, no_id}});
   if (samples_.overflowed()) return 0;
@@ -38,7 +38,8 @@ uint32_t SphericalPatch::add_extra(uint32_t face, const Vec3 &direction) {
 
 // ---- ways ----
 
-// Without detours what is in the way is too coarse, and so is the way.
+// Makes the ways between samples edges of the triangulation. Without detours a way with an obstacle is marked as too
+// coarse, and so is the obstacle.
 bool SphericalPatch::route_strands(bool with_detours) {
   bool good = true;
   for (uint32_t k = 0; k < border_samples_; ++k) {
@@ -65,7 +66,7 @@ bool SphericalPatch::route_strands(bool with_detours) {
   return good;
 }
 
-// Through the nearer end of what is in the way, if it lies between.
+// Adds a detour through that end of the edge in the way which is nearer to the way, if it lies between the way's ends.
 bool SphericalPatch::add_detour(uint32_t sample, uint32_t obstacle) {
   const uint32_t next = links_[sample].next;
   const Vec3 a = to_double(sphere_.point(links_[sample].point));
@@ -141,7 +142,8 @@ bool SphericalPatch::find_covered() {
   return true;
 }
 
-// Where all borders run there and back it is all or nothing.
+// If all borders run there and back, the sphere is covered as a whole or not at all: whether the middle of a triangle
+// is well inside a cap.
 bool SphericalPatch::has_covered_point() const {
   for (uint32_t t = 0; t < sphere_.triangle_count(); ++t) {
     Vec3 middle{0.0, 0.0, 0.0};

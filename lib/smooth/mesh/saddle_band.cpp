@@ -38,7 +38,7 @@ void SaddleBand::set_circle(uint32_t ball_0, uint32_t ball_1) {
   cusp_ = 0.0;
   if (!has_cusps_) return;
   cusp_ = arc_tangent(half_way_between_cusps(balls_, ball_0, ball_1), radius_);
-  // Equal up to rounding: nothing lies between.
+  // If the two differ by rounding alone, nothing lies between them.
   for (double &tilt : tilt_) tilt = tilt < cusp_ ? cusp_ : tilt;
 }
 

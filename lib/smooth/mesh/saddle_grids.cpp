@@ -4,7 +4,7 @@ namespace hsp {
 
 namespace {
 
-// Of the diagonals a b and c d, where there are positions.
+// Whether diagonal a b is no longer than diagonal c d; true if there was no room for the vertices' positions.
 bool is_shorter(const FixedVector<MeshVertex> &vertices, uint32_t a, uint32_t b, uint32_t c, uint32_t d) {
   if (vertices.overflowed()) return true;
   const auto square = [&](uint32_t from, uint32_t to) {
@@ -30,7 +30,7 @@ struct SaddleGrids::Grid {
   uint32_t corner[2][2];  // by ends and balls; cusps are corners, too
   uint32_t inner;         // first point inside
 
-  // At most: rows at cusps have half as many.
+  // An upper bound: rows at cusps have half as many.
   double triangles() const { return 2.0 * turns * rows; }
   uint32_t at(uint32_t k, uint32_t l) const {
     const uint32_t turn = closed && k == turns ? 0 : k;
@@ -89,7 +89,7 @@ SaddleGrids::Grid SaddleGrids::grid_of_circle(uint32_t circle, uint32_t part, co
   return grid;
 }
 
-// Calls visit(band, grid) for the parts of chosen patches, until it says false.
+// Calls visit(band, grid) for the parts of chosen patches, until it returns false.
 template <class Visit>
 bool SaddleGrids::for_each_grid(double length, Patience &patience, Visit visit) const {
   const uint32_t arcs = curves_.boundary().arc_count();

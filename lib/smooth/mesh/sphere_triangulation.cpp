@@ -79,7 +79,7 @@ bool SphereTriangulation::holds(const SphereTriangle &triangle, const RoundedDir
   return orientation(b, c, p) >= 0 && orientation(c, a, p) >= 0 && orientation(a, b, p) >= 0;
 }
 
-// A walk towards the point. Among Delaunay triangles it ends; after too many steps all triangles are asked.
+// Walks towards the point. Among Delaunay triangles the walk ends; after too many steps all triangles are tried.
 uint32_t SphereTriangulation::locate(const RoundedDirection &p) const {
   uint32_t t = last_;
   for (uint32_t step = 0; step < triangle_count_; ++step) {
@@ -205,7 +205,8 @@ void SphereTriangulation::flip(uint32_t t, uint32_t edge) {
   replace_neighbour(one.neighbour[opposite_q], t, u);
 }
 
-// Every flip raises the surface of the triangles, so they end. The stack holds triangles around p, each at most once.
+// Every flip moves the surface of the triangles outwards, so there is an end of them. The stack holds triangles around
+// p, each at most once.
 void SphereTriangulation::restore_around(uint32_t p) {
   while (stacked_ > 0) {
     const uint32_t t = stack_[--stacked_];
@@ -224,7 +225,7 @@ bool SphereTriangulation::has_three_triangles(uint32_t p) const {
   return t == triangle_at_[p];
 }
 
-// One edge fewer at p.
+// Flips one edge at p, so that p has one edge fewer.
 bool SphereTriangulation::flip_edge_of(uint32_t p) {
   const uint32_t first = triangle_at_[p];
   uint32_t t = first;
@@ -239,7 +240,7 @@ bool SphereTriangulation::flip_edge_of(uint32_t p) {
   return false;
 }
 
-// The last triangle gets its number.
+// The last triangle takes over its number.
 void SphereTriangulation::remove_triangle(uint32_t t) {
   const uint32_t last = --triangle_count_;
   if (t == last) return;

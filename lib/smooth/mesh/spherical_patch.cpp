@@ -4,8 +4,8 @@
 
 namespace hsp {
 
-// Points inside keep so much of the distance between points away from borders. A point deeper in a cap than the
-// second share cannot come to lie in the patch where a chord runs beside its arc.
+// In units of the distance between points: points inside keep so far away from borders; and a point so deep in a cap
+// cannot come to lie in the patch, although chords run beside their arcs.
 constexpr double share_kept_off = 0.6;
 constexpr double share_well_inside = 0.25;
 
@@ -36,7 +36,8 @@ void SphericalPatch::begin(double spacing) {
   inputs_.clear();
 }
 
-// cos(a + b) and cos(a - b) of a cap's angle a, at their ends where the sum or difference is beyond pi or 0.
+// The cosines of a cap's angle a plus one angle and minus another. If the sum is beyond pi or the difference below 0,
+// they are out of the range of cosines, so that all directions are near, or none is inside.
 void SphericalPatch::keep_off(const Vec3 &axis, double cosine) {
   const double sine = std::sqrt(cosine < 1.0 ? (1.0 - cosine) * (1.0 + cosine) : 0.0);
   const SinCos more = sin_cos(share_kept_off * spacing_);
@@ -109,7 +110,7 @@ bool SphericalPatch::is_circle_near_caps(double sine, double cosine) const {
   return false;
 }
 
-// By a cap on whose circle a border runs.
+// Whether a direction is inside a cap whose circle a border runs on.
 bool SphericalPatch::is_covered(const Vec3 &direction) const {
   const double length = std::sqrt(dot(direction, direction));
   bool covered = false;
@@ -117,7 +118,8 @@ bool SphericalPatch::is_covered(const Vec3 &direction) const {
   return covered;
 }
 
-// On the way between samples, half of it or nearer to an end, where it is free; at the end if it is nowhere.
+// A free direction between two samples: half-way, or else nearer and nearer to one of them; that of sample a if none is
+// free.
 Vec3 SphericalPatch::direction_between(uint32_t a, uint32_t b) const {
   constexpr double most_weight = 31.0;
   const Vec3 from = to_double(sphere_.point(links_[a].point));
@@ -206,7 +208,8 @@ void SphericalPatch::add_inner_points() {
       });
 }
 
-// Coarse first, then ever finer, each time along the way of the inputs: neither long walks nor long chains of flips.
+// Inserts few points first, then ever more, each time in the order of the inputs: so neither walks nor chains of flips
+// are long.
 void SphericalPatch::insert_points() {
   const uint32_t n = inputs_.size();
   for (uint32_t p = 0; p < SphereTriangulation::octahedron_points; ++p) sample_at_[p] = no_id;
@@ -249,7 +252,7 @@ bool SphericalPatch::has_coarse_borders() const {
   return any;
 }
 
-// Those without length are none: more points on them would change nothing.
+// Borders without length are never marked: more points on them would change nothing.
 void SphericalPatch::mark_longest_borders() {
   const auto square = [this](uint32_t k) {
     const Vec3 start = to_double(sphere_.point(links_[k].point));
@@ -261,11 +264,11 @@ void SphericalPatch::mark_longest_borders() {
   for (uint32_t k = 0; k < samples_.size(); ++k) links_[k].coarse = square(k) > 0.25 * most;
 }
 
-// Says of every triangle which face it belongs to. Covered points that the chord of a border leaves on its left are
-// removed. Where there are too few others without them, borders are too coarse.
+// Says of every triangle which face it belongs to. Octahedron corners that are covered but on the left of a border's
+// chord are removed. If that is impossible, borders are too coarse.
 bool SphericalPatch::name_triangles() {
   if (!name_faces()) return false;
-  // Other points keep off borders.
+  // Only the octahedron's points may be covered there: other points keep off borders.
   uint32_t covered[SphereTriangulation::octahedron_points];
   uint32_t count = 0;
   for (uint32_t p = 0; p < SphereTriangulation::octahedron_points; ++p) {

@@ -3,7 +3,7 @@
 
 namespace hsp {
 
-// Where creases are, patches of several probes meet.
+// The vertex at a point of creases, where patches of the probes at several vertices meet.
 MeshVertex SurfaceCurves::at_creases(const Position &position, const uint32_t *vertices, uint32_t count) const {
   Vec3 sum{0.0, 0.0, 0.0};
   for (uint32_t k = 0; k < count; ++k) sum = sum + probe_at(vertices[k]).way_from(position);
@@ -11,8 +11,8 @@ MeshVertex SurfaceCurves::at_creases(const Position &position, const uint32_t *v
   return mesh_vertex(balls(), position, unit(sum, upwards), first.nearest_ball(-first.way_from(position)));
 }
 
-// The patches there are those of the probes at the ends of the circle's arcs; around a whole circle they turn about the
-// axis.
+// The patches at a cusp are those of the probes at the ends of the circle's arcs. A whole circle has a single patch
+// around the axis: there the normal is along the axis.
 Vec3 SurfaceCurves::normal_at_cusp(uint32_t k, uint32_t side, const Position &position) const {
   const CuspedCircles &cusped = surface().cusped_circles();
   const CirclePosition circle = position_of_circle(balls(), cusped.ball(k, side), cusped.ball(k, 1 - side));

@@ -21,8 +21,8 @@ bool ActualBalls::may_cut_patch(uint32_t other, uint32_t v) const {
 
 namespace {
 
-// The first of the vertices near v, but for w and x, whose probe may have in it a point at the probe's radius from v,
-// seen from there: their number if none may, and no_id if one certainly has.
+// The place in `near` of the first vertex, other than w and x, whose probe may contain the point at `arm` from v.
+// near.size() if none may contain it; no_id if one certainly does.
 template <class Number>
 uint32_t first_in_doubt(const ActualPoints<Number> &actual, uint32_t v, const NumberVector<Number> &arm,
                         Span<const uint32_t> near, uint32_t w, uint32_t x) {
@@ -36,8 +36,8 @@ uint32_t first_in_doubt(const ActualPoints<Number> &actual, uint32_t v, const Nu
   return first;
 }
 
-// Whether such a point is in the patch of v and in none of these probes, which come first, as one of them decides most.
-// Once it is known where the point is, doubles know most of the rest.
+// Whether the point at `arm` from v is in the patch of v and in none of these probes. The probes are asked first, as
+// one of them decides most questions. Once the point's position is known, doubles decide most of the rest.
 template <class Number>
 [[gnu::noinline]] int is_left(const ActualPoints<Number> &actual, uint32_t v, const NumberVector<Number> &arm,
                               Span<const uint32_t> near, uint32_t w, uint32_t x) {
@@ -94,15 +94,16 @@ int ActualBalls::is_left(const BorderPoint &point, Span<const uint32_t> near) co
   });
 }
 
-// For the corner J of u, v and w, a, b and c by number, with the sign s: seen from a, J is s r n + something in the
-// plane of the three, r > 0 and n = (b - a) x (c - a). So det(w - v, J - v, J - u) = s r n.((w - v) x (u - v)), which
-// has the sign s if v, w and u are in the order of a, b and c, or of b, c and a, and else the other one.
+// Let J be the corner of u, v and w, with the sign s, and a, b and c these three in the order of their numbers.
+// Relative to a, J is s r n plus a vector in the plane of the three, with r > 0 and n = (b - a) x (c - a). So det(w -
+// v, J - v, J - u) = s r n.((w - v) x (u - v)), which has the sign s if (v, w, u) is (a, b, c) or (b, c, a), and else
+// the opposite sign.
 bool ActualBalls::starts_at_corner(const BorderPoint &corner, uint32_t v, uint32_t w) {
   const bool third_is_between = corner.id[0] == v && corner.id[2] == w;
   return (corner.sign > 0) != third_is_between;
 }
 
-// Going away from the cusp along the crease, one is on the inner side of the side of v that leads to it.
+// Away from the cusp the crease runs inside of that side of v's patch which ends in the cusp.
 int ActualBalls::starts_at_cusp(const BorderPoint &cusp, uint32_t v, uint32_t w) const {
   const VertexRecord &record = boundary_.vertex(v);
   uint32_t slot = 0;
@@ -164,7 +165,7 @@ bool ActualBalls::find_way_to_vertex(uint32_t v, uint32_t w, Vec3 &way) const {
          }) != 0;
 }
 
-// p+ of the circles of balls 1 and 2 on ball 0 sees them clockwise.
+// Seen from p+ of the circles of balls 1 and 2 on ball 0, balls 0, 1 and 2 run clockwise.
 SideOfPatch side_of_patch(const VertexRecord &vertex, uint32_t slot) {
   const uint32_t next = (slot + 1) % 3, last = (slot + 2) % 3;
   return vertex.positive() ? SideOfPatch{last, next} : SideOfPatch{next, last};

@@ -5,7 +5,7 @@ namespace {
 
 constexpr int32_t proportion = -192, of_the_form = -460, of_centres = -600;
 
-// 61 bits of a number without a pattern.
+// 61 pseudo-random bits.
 int64_t mixed(uint64_t &state) {
   state += UINT64_C(0x9E3779B97F4A7C15);
   uint64_t x = state;
@@ -23,7 +23,7 @@ uint64_t key_of(const exact::Vector &at) {
 
 }  // namespace
 
-// Exact, but for what moves the two.
+// Exact, but for the shifts of the two centres.
 void ActualNumbers<WideFloat>::find_difference(uint32_t i, uint32_t j, NumberVector<WideFloat> &v) const {
   const uint32_t origin = boundary.component_origin(i);
   const exact::Vector between = balls.exact_difference(i, j);
@@ -37,7 +37,7 @@ void ActualNumbers<WideFloat>::find_difference(uint32_t i, uint32_t j, NumberVec
   v.z = moved(between.z);
 }
 
-// M is an integer of less than 80 bits: few bits do until it is a term of the weight.
+// M is an integer of less than 80 bits, so few bits suffice until it is added to the weight.
 WideFloat ActualNumbers<WideFloat>::weight(uint32_t i) const {
   constexpr uint32_t bits_of_form = 128;
   const exact::Vector c = balls.exact_difference(boundary.component_origin(i), i);

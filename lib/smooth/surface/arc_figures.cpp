@@ -4,7 +4,8 @@
 namespace hsp {
 namespace {
 
-// The angle whose sine and cosine are these, times a positive number; only if it cannot be a whole turn off.
+// The angle whose sine and cosine are these two, divided by the same positive number. False if it may be a whole turn
+// off.
 constexpr double least_error = 0x1p-36;
 bool has_angle(const BoundedDouble &sine, const BoundedDouble &cosine, double &angle) {
   const double s = std::fabs(sine.value), c = std::fabs(cosine.value), larger = s > c ? s : c;

@@ -2,7 +2,7 @@
 
 namespace hsp {
 
-// The lives of these doubles begin here: the memory held floats.
+// Placement new begins the lives of these doubles: the memory held floats.
 void ConcavePatches::put(uint32_t vertex, const ConcavePatch &patch) {
   ::new (static_cast<void *>(&area_and_volume_[2 * vertex])) double(patch.area);
   ::new (static_cast<void *>(&area_and_volume_[2 * vertex + 1])) double(patch.volume);
@@ -13,7 +13,7 @@ void ConcavePatches::clear(uint32_t vertices) {
   for (uint32_t v = 0; v < vertices; ++v) put(v, {});
 }
 
-// A vector area is stored over the offset that it is computed from, after the last of its four has been read.
+// A vector area is stored over the offset of its vertex, after the offsets of all four vertices at hand have been read.
 bool ConcavePatches::measure(const BallSet &balls, const Boundary &boundary, const ProbePositions &positions,
                              const CutPatches &cut, Patience &patience) {
   constexpr uint32_t lanes = ProbeTriangles::lanes;

@@ -4,8 +4,9 @@
 
 namespace hsp {
 
-// Every ball covers an arc whose mid-point lies in the direction of its centre (exact/angular_order.hpp), and the ball
-// that covers the end of the gap has the first such mid-point after that of the ball that covers its start.
+// Each ball covers an arc of the circle, whose mid-point lies in the direction of the ball's centre
+// (exact/angular_order.hpp). Among the balls at ends of gaps, the one that covers the end of this gap has the first
+// mid-point after that of the ball that covers its start.
 uint32_t vertex_across_gap(const BallSet &balls, const Boundary &boundary, const ChosenFaces &chosen, uint32_t ball,
                            uint32_t half_edge) {
   const HalfEdge &start = boundary.half_edge(half_edge);

@@ -14,7 +14,8 @@ void CreasedPatches::push(const Inputs &in, uint32_t across, uint32_t start, uin
   arcs_.push(arc);
 }
 
-// From the second ball of a side to the first, and to its cusp and from the other one where there are such.
+// A side runs from its second ball to its first. If it has cusps it is two arcs: from the second ball to the cusp
+// there, and from the other cusp to the first ball.
 void CreasedPatches::add_sides(const Inputs &in, uint32_t v) {
   const VertexRecord &record = in.actual.boundary().vertex(v);
   const uint32_t first_cusp = 3 * in.actual.boundary().vertex_count();
@@ -68,8 +69,8 @@ Status CreasedPatches::fill(const Inputs &in, CutPatches &cut, Patience &patienc
   return patience.allows(0) ? Status::degenerate : Status::stopped;
 }
 
-// The loops of a piece one after the other. Of two solid angles that differ by the whole sphere's one is that of a part
-// of the patch.
+// Adds up the loops of a piece, one after the other. A solid angle is known up to the whole sphere's 4 pi; only one of
+// these values fits a part of the patch.
 void CreasedPatches::measure_piece(const PatchLoops &loops, uint32_t piece, double &steradians, Vec3 &vector_area,
                                    CreaseSums &sums) const {
   const Span<const BorderArc> arcs = arcs_.items();

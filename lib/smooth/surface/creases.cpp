@@ -7,7 +7,7 @@
 namespace hsp {
 namespace {
 
-// Instructions that two vertices near each other, or three, take where doubles do not do.
+// Instructions for a pair or a triple of near vertices that doubles do not decide.
 constexpr uint32_t of_a_pair = 20000;
 
 bool comes_before(const CreaseCorner &a, const uint32_t (&vertex)[3]) {
@@ -20,7 +20,7 @@ bool comes_before(const CreaseCorner &a, const uint32_t (&vertex)[3]) {
 
 void Creases::carve(Workspace &workspace, uint32_t near, uint32_t creases, uint32_t corners) {
   near_ = FixedVector(workspace.take<uint32_t>(near));
-  // Two corners with each of the others, and the cusps of three circles.
+  // A crease's pair has at most two corners with each other vertex, and the cusps of three circles.
   ends_ = FixedVector(workspace.take<CreaseEnd>(2 * uint64_t{near} + 6));
   creases_ = FixedVector(workspace.take<Crease>(creases));
   corners_ = FixedVector(workspace.take<CreaseCorner>(corners));
@@ -41,7 +41,7 @@ Status Creases::build(const ActualBalls &actual, const ChosenFaces &chosen, cons
   return find_creases(chosen, grid, near, patience);
 }
 
-// Their corner would be on the axis, where cusps are.
+// Whether three vertices are on one circle. Then they have no corner: it would be on the circle's axis, like the cusps.
 bool Creases::on_one_circle(uint32_t a, uint32_t b, uint32_t c) const {
   const Boundary &boundary = actual_->boundary();
   uint32_t common = 0;
@@ -51,7 +51,7 @@ bool Creases::on_one_circle(uint32_t a, uint32_t b, uint32_t c) const {
   return common >= 2;
 }
 
-// Each at its lowest vertex.
+// Finds each corner at its lowest vertex.
 Status Creases::find_corners(NearVertices &near, Patience &patience) {
   for (uint32_t a = 0; a < actual_->boundary().vertex_count(); ++a) {
     const bool fits = near.find(a);
@@ -101,8 +101,8 @@ BorderPoint Creases::point(uint32_t corner) const {
       BorderPoint::Kind::corner, static_cast<int8_t>(own.sign), {own.vertex[0], own.vertex[1], own.vertex[2]}, corner};
 }
 
-// Of a pair on one circle, or on more: where the covered gap of one of them lies between the two, the cusps. Whether
-// there is a circle with cusps at all.
+// Adds ends at cusps for a pair of vertices: those of each common circle whose covered gap lies between the two.
+// Returns whether any common circle has cusps.
 bool Creases::add_cusps(const ChosenFaces &chosen, uint32_t v, uint32_t w) {
   const Boundary &boundary = actual_->boundary();
   bool share = false;
@@ -118,7 +118,7 @@ bool Creases::add_cusps(const ChosenFaces &chosen, uint32_t v, uint32_t w) {
   return share;
 }
 
-// The corners of three vertices, as ends of a crease of the first two.
+// Adds the corners of v, w and x as ends of creases of v and w.
 void Creases::add_corner_ends(uint32_t v, uint32_t w, uint32_t x) {
   const uint32_t vertex[3] = {x < v ? x : v, x < v ? v : x < w ? x : w, x < w ? w : x};
   uint32_t c = first_index(0, corners_.size(), [&](uint32_t k) { return !comes_before(corners_[k], vertex); });
@@ -153,7 +153,7 @@ Status Creases::find_creases(const ChosenFaces &chosen, const ProbeGrid &grid, N
   return actual_->answers().by_none == 0 ? Status::ok : Status::degenerate;
 }
 
-// Ends of the pair at hand, by turns in order around the circle, start and end creases.
+// Sorts the ends of the pair at hand around the circle. They must be starts and ends of creases by turns.
 Status Creases::add_creases(const ProbeGrid &grid, uint32_t v, uint32_t w, bool share_cusps) {
   Span<CreaseEnd> ends = ends_.items();
   const uint32_t n = ends.size();

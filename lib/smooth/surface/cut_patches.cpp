@@ -59,7 +59,7 @@ void CutPatches::number_joints(uint32_t first_crease_corner) {
   }
 }
 
-// Loops are stored one after the other.
+// The arcs of a loop are stored one after the other.
 uint32_t CutPatches::previous(uint32_t arc) const {
   if (arc > 0 && arcs_[arc - 1].next == arc) return arc - 1;
   uint32_t last = arc;

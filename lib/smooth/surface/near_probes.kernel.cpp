@@ -6,7 +6,7 @@ namespace {
 
 using L = Wide<float, register_floats>;
 
-// From this vertex to others.
+// Vectors from this vertex to others.
 struct ProbeDifferences {
   L::Real x, y, z;
 
@@ -36,7 +36,7 @@ uint32_t may_cut(const ProbeSearch &search, const ProbeDifferences &q) {
 
 }  // namespace
 
-// Those that overlap are put side by side first, without branches, which nothing could predict.
+// Probes that overlap are gathered side by side first, without branches, which could not be predicted.
 uint32_t find_near_probes(ProbeSearch &search, uint32_t *found) {
   constexpr uint32_t n = L::lanes, room = ProbeSearch::room;
   alignas(32) float x[room + n], y[room + n], z[room + n];

@@ -6,7 +6,7 @@
 namespace hsp {
 namespace {
 
-// Above this error the floats of a triangle's sides say nothing: all probes that overlap count as near.
+// Above this error the floats of a triangle's sides are useless: all probes that overlap count as near.
 constexpr double most_side_error = 0x1p-24;
 constexpr float no_limit = 16.0F;
 

@@ -3,8 +3,8 @@
 namespace hsp {
 namespace {
 
-// A crease is measured in both of its patches, which have found its ends each on its own. They agree to this angle
-// where doubles know them well enough.
+// A crease is measured in both of its patches, and each patch has found its ends on its own. The two angles agree up to
+// this if doubles are precise enough.
 constexpr double crease_tolerance = 1e-6;
 
 class Joiner {
@@ -21,7 +21,7 @@ class Joiner {
     for_each_arc([this](uint32_t v, uint32_t a) { number_end(v, a); });
     for_each_arc([this](uint32_t v, uint32_t a) { find_twin(v, a); });
     patches_.number_joints(first_crease_corner_);
-    // Every arc of a cusped circle has two ends, with both cusps at each.
+    // Every arc of a cusped circle has two ends, and both cusps are found at each end.
     return open_ + difference(cusps_, 4 * cusped_.arcs()) + difference(met_, 2 * patches_.crease_corners().size());
   }
 
@@ -36,7 +36,8 @@ class Joiner {
     }
   }
 
-  // Where an arc ends the next one begins. A side comes from its second ball, and from the cusp at its first one on.
+  // Numbers the corner at the end of arc a, where the next arc begins. A side runs from its second ball to its first;
+  // between the two it has its cusps, if any.
   void number_end(uint32_t v, uint32_t a) {
     const PatchArc &last = patches_.arc(a);
     PatchArc &arc = patches_.arc(last.next);
@@ -58,8 +59,9 @@ class Joiner {
     }
   }
 
-  // Around the corner of three probes one comes after v and one before it: in the patch of v a loop arrives on the
-  // crease to the one before and leaves on that to the one after. So it does, in this order, in all three patches.
+  // Around the corner of three probes, one probe precedes that of v and one follows it. In the patch of v the loop
+  // arrives on the crease to the preceding probe and leaves on the crease to the following one. The same holds, in this
+  // cyclic order, in all three patches.
   uint32_t corner_at_first(uint32_t v, uint32_t preceding, uint32_t following) const {
     const bool is_following = following < preceding;
     const uint32_t arrive = is_following ? v : following, leave = is_following ? preceding : v;

@@ -5,7 +5,7 @@
 namespace hsp {
 namespace {
 
-// Signs, and whether all of them so far are certain.
+// Takes signs, and remembers whether all of them so far were certain.
 class CertainSigns {
  public:
   template <class Number>
@@ -42,7 +42,7 @@ template <class Number>
   point *= radius;
   point += place.middle;
 }
-// A point of an arc. Not quite in its middle, as those of several arcs may lie in one plane.
+// A point of an arc. It is not quite in the middle, as the middles of several arcs may lie in one plane.
 template <class Number>
 [[gnu::noinline]] void find_point_of_arc(const ActualPoints<Number> &actual, uint32_t vertex, const BorderArc &arc,
                                          NumberVector<Number> &point) {
@@ -51,8 +51,8 @@ template <class Number>
   to_point_of_arc(actual, arc, place, point);
 }
 
-// Whether the great circle's piece between two points crosses an arc an odd number of times. Where one of the two is on
-// the arc's circle, it does not count.
+// Whether the great circle's piece between two points crosses an arc an odd number of times. If one of the two points
+// is on the arc's circle (`own`), that crossing does not count.
 template <class Number>
 class Crossings {
  public:
@@ -94,7 +94,7 @@ class Crossings {
     return odd;
   }
 
-  // One of the two points is the given one, and the other certainly is not.
+  // Of the two points where the circles cross, one is the given point, and the other certainly is not.
   [[gnu::noinline]] static bool is_same(const NumberVector<Number> &a, const NumberVector<Number> &b) {
     NumberVector<Number> apart = a;
     apart -= b;
@@ -127,8 +127,8 @@ template <class Number>
   return !signs.positive(dot(axis, way));
 }
 
-// Two loops bound one piece iff a way between them crosses each loop so often that it is in the patch at both ends of
-// every part that it has there: an even number of times, but for the two loops themselves.
+// Two loops bound one piece iff no other loop separates them. A way from one to the other crosses every other loop an
+// even number of times then; for the two loops themselves it counts also on which side the way begins and ends.
 template <class Number>
 bool group_in(const ActualPoints<Number> &actual, uint32_t vertex, Span<BorderArc> arcs) {
   CertainSigns signs;
@@ -153,7 +153,7 @@ bool group_in(const ActualPoints<Number> &actual, uint32_t vertex, Span<BorderAr
         bool odd = false;
         for_each_of_loop(arcs, c, [&](uint32_t k) {
           const bool starts = arcs[k].across == arcs[a].across, ends = arcs[k].across == arcs[on_b].across;
-          // On a great circle the other point is opposite.
+          // If the arc's circle is a great circle, its other crossing is the opposite point, which is not on the way.
           if (!((starts || ends) && arcs[k].is_side())) {
             odd = odd != crossings.odd(vertex, arcs[k], starts ? &from : ends ? &to : nullptr);
           }

@@ -39,7 +39,8 @@ bool ProbeCaps::gather(const BallSet &balls, const Boundary &boundary, const Cho
 
   sort_and_merge();
   store_caps();
-  // Errors of axis and height: of two vertices, over their distance; caps.hpp has 3.5e for the axis.
+  // The errors of axis and height are those of two vertices, divided by their distance. caps.hpp assumes 3.5e for the
+  // axis.
   double largest = side_error_;
   for (const Other &other : others_.items().part(0, kept_)) {
     const double own = 2 * error / other.distance;
@@ -49,7 +50,7 @@ bool ProbeCaps::gather(const BallSet &balls, const Boundary &boundary, const Cho
   return true;
 }
 
-// The findings of a search are decided here, whatever it made sure of.
+// Decides about a probe that a search has found. It does not rely on what the search has checked.
 void ProbeCaps::take(const BallSet &balls, const Boundary &boundary, const ProbeGrid &grid, uint32_t other) {
   const double diameter = 2 * static_cast<double>(balls.probe_steps);
   const double coincident = 0.5 * diameter * coincident_distance;
@@ -76,10 +77,11 @@ void ProbeCaps::take(const BallSet &balls, const Boundary &boundary, const Probe
   others_.push({axis, height, distance, other});
 }
 
-// Of probes whose centres are a diameter apart, up to rounding: they do not cut each other, as if the radius of the
-// probe were less by as much. A vertex of three spheres with the radii R is at the distance p from the plane of their
-// centres iff its projection is a common point of those with the squares R^2 - p^2: then two circles on one of these
-// touch. If not, doubles do not know.
+// For probes whose centres are a diameter apart, up to rounding. They count as not cutting each other, as if the
+// probe's radius were less by the rounding. If both touch the same three balls: a vertex of spheres with the radii R is
+// at the distance p from the plane of their centres iff its projection is a common point of the spheres with the
+// squared radii R^2 - p^2, on one of which two circles then touch. If that does not hold exactly, the patch is
+// doubtful.
 bool ProbeCaps::touches(const BallSet &balls, const Boundary &boundary, uint32_t other, const Vec3 &axis) {
   const double error =
       vertex_error * static_cast<double>(balls.largest_radius) / static_cast<double>(balls.probe_steps);
@@ -124,9 +126,9 @@ void ProbeCaps::measure_sides(const BallSet &balls, const Boundary &boundary, co
   side_error_ = vertex_error * static_cast<double>(balls.largest_radius) * triangles_.side_error[lane_];
 }
 
-// All bisector planes between vertices of one circle contain its axis, and the circles in which they cut the probe's
-// sphere share the two cusps if the circle is smaller than the probe: of these caps only that of the vertex across the
-// covered gap next to this one matters, the others cover less of the patch (PROOFS.md, section 6).
+// All bisector planes between vertices of one circle contain its axis. The circles in which they cut the probe's sphere
+// share the two cusps, if the circle is smaller than the probe. So of these caps only that of the vertex across the
+// covered gap beside this one matters; the others cover less of the patch (PROOFS.md, section 6).
 bool ProbeCaps::counts_on_circle(const BallSet &balls, const Boundary &boundary, uint32_t other) {
   bool counts = true;
   for_each_common_circle(boundary, vertex_, other, [&](uint32_t slot, uint32_t half_edge) {
@@ -139,8 +141,9 @@ bool ProbeCaps::counts_on_circle(const BallSet &balls, const Boundary &boundary,
 }
 
 // Coincident vertices are one corner of several spheres, or ends of an arc of length 0: their patches are the pieces of
-// one polygon and do not cut each other. But if the gap between them is closed the outside has an edge there and no
-// corner (PROOFS.md, section 7): it surely is not if it is the rest of a circle with this arc alone.
+// one polygon and do not cut each other. But if the covered gap between them has length 0, the outside has an edge
+// there and no corner (PROOFS.md, section 7). The gap certainly has a length if it is the rest of a circle with this
+// short arc alone.
 bool ProbeCaps::may_be_pinched(const BallSet &balls, const Boundary &boundary, uint32_t other) const {
   bool may_be = false;
   for_each_common_circle(boundary, vertex_, other, [&](uint32_t, uint32_t half_edge) {
@@ -149,7 +152,8 @@ bool ProbeCaps::may_be_pinched(const BallSet &balls, const Boundary &boundary, u
   return may_be;
 }
 
-// By position, so that ids have no effect; of several vertices at one position the first stays, the others come last.
+// Sorts neighbours by position, so that ids have no effect. Of several vertices at one position the first stays; the
+// others are moved to the end.
 void ProbeCaps::sort_and_merge() {
   sort_in_place(others_.items(), [](const Other &a, const Other &b) {
     if (a.height != b.height) return a.height < b.height;

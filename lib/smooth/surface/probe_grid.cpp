@@ -13,10 +13,11 @@ namespace {
 
 constexpr uint32_t spare_probes = 7;
 constexpr uint32_t least_buckets = 128;
-// Probes in one bucket whose cubes are not that of the first of them.
+// The most probes in one bucket that are not in the cube of its first probe.
 constexpr uint32_t most_of_others = 64;
 
-// B and C above: in steps of 1 the rows are far enough apart within 128 buckets, and high bits spread them.
+// B and C of probe_grid.hpp. Their low bits, 5 and 25, keep the rows apart within 128 buckets; their high bits spread
+// rows over more.
 constexpr uint64_t step_y = (UINT64_C(0x9E3779B97F4A7C15) & ~UINT64_C(127)) + 5;
 constexpr uint64_t step_z = (UINT64_C(0xC2B2AE3D27D4EB4F) & ~UINT64_C(127)) + 25;
 
@@ -31,7 +32,7 @@ constexpr bool keeps_rows_apart() {
 }
 static_assert(keeps_rows_apart());
 
-// For the floats of so many vertices.
+// The doubles whose memory holds one float for each vertex.
 constexpr uint64_t doubles_for(uint32_t vertices) {
   return (uint64_t{vertices} + spare_probes + 1) / 2;
 }
@@ -46,8 +47,8 @@ CubeCoordinates cube_at(const Vec3 &at) {
   return {floor_of(at.x), floor_of(at.y), floor_of(at.z)};
 }
 
-// The slots of a vertex's balls in its record, by rank, in two bits each; and a bit for the sign that it has then.
-// Mostly without branches: which of three balls comes first cannot be predicted.
+// The slots of a vertex's balls in its record, by rank, in two bits each; and a bit for the vertex's sign in this order
+// of its balls. Mostly without branches: which of three balls comes first cannot be predicted.
 uint8_t order_of_rank(const BallSet &balls, const VertexRecord &vertex) {
   double x[3] = {balls.x[vertex.ball[0]], balls.x[vertex.ball[1]], balls.x[vertex.ball[2]]};
   const auto code = [](uint32_t first, uint32_t second, uint32_t third, bool negative) {
@@ -133,8 +134,9 @@ void ProbeGrid::lay_out(uint32_t vertices) {
   vertex_ = begin_array<uint32_t>(part(3));
 }
 
-// The differences of balls to the centre, an integer, are exact, what is added to them is not: positions have an error
-// of 2^-52 of the set's extent, less than a step, which the side allows for. Floats have another one of 2^-24.
+// The centre has integer coordinates, so the differences of balls to it are exact; sums with offsets are rounded.
+// Positions have an error of 2^-52 of the set's extent, less than a step, for which the side of the cubes has room.
+// Floats have another relative error of 2^-24.
 void ProbeGrid::choose_units(const BallSet &balls) {
   const Span<double> *const axes[3] = {&balls.x, &balls.y, &balls.z};
   double extent = 0.0, middle[3];
@@ -153,7 +155,7 @@ void ProbeGrid::choose_units(const BallSet &balls) {
   const double side = diameter * (1.0 + 0x1p-12) + 4.0;
   inverse_side_ = 1.0 / side;
   extent = (extent + static_cast<double>(balls.largest_radius)) * inverse_side_;
-  // Of a difference's coordinate: both positions, and its own rounding.
+  // The error of a difference's coordinate: those of both positions, and its own rounding.
   const double error = 2 * 0x1.001p-24 * extent + 0x1p-23;
   const double reach = diameter * inverse_side_;
   const double longest = reach + 2 * error;
@@ -192,7 +194,7 @@ bool ProbeGrid::mixes_cubes(const BallSet &balls) const {
   return false;
 }
 
-// By cubes as in a bucket of each: in one of them by vertices.
+// Sorts by cubes, and within a cube by vertices, as in a bucket of one cube.
 void ProbeGrid::sort_by_cubes(const BallSet &balls, Patience &patience) {
   buckets_ = 0;
   sort_in_place(vertex_.part(0, probes_), [&](uint32_t v, uint32_t w) {
@@ -210,7 +212,7 @@ void ProbeGrid::store(uint32_t to, const Vec3 &at, uint32_t vertex) {
   vertex_[to] = vertex;
 }
 
-// Of probes that are sorted by their cubes, the first that is in this one or behind.
+// If probes are sorted by their cubes: the first probe in this cube or behind it.
 uint32_t ProbeGrid::first_from(const BallSet &balls, const CubeCoordinates &cube) const {
   return first_index(0, probes_, [&](uint32_t k) { return !comes_before(cube_of(balls, vertex_[k]), cube); });
 }

@@ -26,7 +26,8 @@ double half_way_between_cusps(const BallSet &balls, uint32_t a, uint32_t b) {
 SaddlePatches::SaddlePatches(const BallSet &balls, const Boundary &boundary, uint32_t ball)
     : balls_(balls), boundary_(boundary), ball_(ball), rolled_(rolled_ball(balls, boundary, ball)) {}
 
-// Small circles, and those that are nearly as large as the probe, from exact integers.
+// Circles for which doubles are not precise enough, small ones and those nearly as large as the probe, come from exact
+// integers.
 void SaddlePatches::find_circles(const ArcBatch &batch) {
   if (find_saddle_circles(boundary_.target(), batch, rolled_, circles_)) return;
   const exact::LatticeBall own = balls_.ball(ball_);

@@ -7,7 +7,7 @@ namespace hsp {
 
 namespace {
 
-// Of one of its faces, or of all.
+// The measure of one of a ball's faces, or of all if `one` is no_id.
 SurfaceMeasure measure_faces_of_ball(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t i,
                                      uint32_t one) {
   SurfaceMeasure result;

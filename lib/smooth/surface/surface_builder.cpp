@@ -6,23 +6,23 @@
 namespace hsp {
 namespace {
 
-// There is room for one crease, and for one corner of three creases, in so many arcs. Each crease is two of them, and
-// three start in each such corner: the rest are sides, and what few sets need.
+// For so many arcs there is room for one crease, and for one corner of three creases. A crease is two arcs, and three
+// creases start or end in a corner; the other arcs are sides, and a reserve.
 constexpr uint32_t arcs_for_crease = 4, arcs_for_corner = 8;
 
 // Arcs and pieces for each vertex that suffice for most small sets in which doubles do not decide, and the most of them
 // that are asked for at once, rather than after all corners are found.
 constexpr uint32_t tied_arcs = 24, most_tied_arcs = 1024, tied_pieces = 4, most_tied_pieces = 192;
 
-// Of memory, for each arc that there may be around a patch, in doubles and of the actual set.
+// Words of memory for each arc that there may be around a patch: in doubles, and for either way of cutting.
 constexpr uint32_t words_in_doubles = words_of<RegionCorner>(1) + words_of<RegionArc>(1);
 constexpr uint32_t words_for_arc =
     words_in_doubles < CreasedPatches::words_of_arc ? CreasedPatches::words_of_arc : words_in_doubles;
 
 }  // namespace
 
-// The arcs around the union of m caps have at most 6m - 12 corners for m >= 3, as the edges of a planar graph; so many
-// arcs, and circles without corners.
+// The union of m >= 3 caps has at most 6m - 12 corners, as a planar graph has at most 3m - 6 edges. There are at most
+// as many arcs, and circles without corners.
 void SurfaceBuilder::carve(Workspace &workspace, const SurfaceLimits &limits) {
   limit(limits);
   const uint64_t nodes = uint64_t{limits.faces} + limits.pieces;
@@ -96,13 +96,13 @@ bool SurfaceBuilder::fits() const {
          needed_.pieces <= limits_.pieces && needed_.arcs <= limits_.arcs;
 }
 
-// Each on its own, in doubles. False if that is stopped.
+// Cuts each patch on its own, in doubles. False if `patience` stops it.
 bool SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundary, Patience &patience) {
   CutPatches &cut = surface_.cut_patches_;
   certain_ = true;
   uint32_t most_found = 0;
   for (uint32_t v = 0; v < needed_.vertices; ++v) {
-    // As the vertex before.
+    // About as many as at the vertex before.
     const uint64_t met = v > 0 ? probe_.met() : 0;
     if (!patience.allows(3000 + (500 + met) * met)) return false;
     cut.begin_vertex(v);
@@ -115,7 +115,7 @@ bool SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundary,
     if (!cut_in_doubles(balls, boundary, v)) certain_ = false;
   }
   cut.finish(needed_.vertices);
-  // The actual set asks for more, and then has other pieces.
+  // Decisions about the actual set need more room, and may find other pieces.
   if (!certain_) {
     const uint64_t v = needed_.vertices;
     need_arcs(tied_arcs * v < most_tied_arcs ? tied_arcs * v : most_tied_arcs);
@@ -146,7 +146,8 @@ Status SurfaceBuilder::cut_actual_patches(const ActualBalls &actual, Patience &p
   need_arcs(arcs_for_crease * uint64_t{creases_.required_creases()});
   if (status == Status::capacity && fits()) return Status::degenerate;
   if (status == Status::capacity && creases_.most_near() <= limits_.neighbours) {
-    // Creases end in corners and cusps, and few are whole circles; each is an arc of two patches, of six sides at most.
+    // Creases end in corners and cusps, and few are whole circles. Each is an arc in two patches, and a patch has at
+    // most six arcs of sides.
     const uint64_t ends = 3 * uint64_t{creases_.required_corners()} + 2 * uint64_t{surface_.cusped_circles_.arcs()};
     const uint64_t creases = larger_count(clamped_count(ends / 2 + needed_.vertices), creases_.required_creases());
     need_arcs(arcs_for_crease * creases);
@@ -178,7 +179,7 @@ void SurfaceBuilder::number_arcs(const Boundary &boundary) {
   first.count();
 }
 
-// Loops that bound one piece one after the other, that around the piece first.
+// Stores the loops of a piece one after the other, the one around the piece first.
 void SurfaceBuilder::store_pieces(const Boundary &boundary, uint32_t vertex, const ConcaveScale &scale) {
   CutPatches &cut = surface_.cut_patches_;
   const Caps &caps = probe_.caps();

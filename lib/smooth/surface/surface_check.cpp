@@ -9,7 +9,7 @@
 namespace hsp {
 namespace {
 
-// In units of the largest radius.
+// For lengths, in units of the largest radius.
 constexpr double tolerance = 1e-6;
 
 class SurfaceChecker : FirstViolation<SurfaceInvariant> {
@@ -44,7 +44,7 @@ class SurfaceChecker : FirstViolation<SurfaceInvariant> {
     if (!good) fail(SurfaceInvariant::steps, h);
   }
 
-  // Every loop that a patch names is one of its own, and all together are all directed edges.
+  // Every loop that a patch names has this patch on its left, and all loops together have every directed edge once.
   void count_loops(uint32_t patch) {
     const uint32_t first = map_.first_edge(patch);
     if (first == no_id) return;
@@ -65,7 +65,7 @@ class SurfaceChecker : FirstViolation<SurfaceInvariant> {
 
   bool is_crease(uint32_t h) const { return map_.edge(h / 2).kind == SurfaceEdgeKind::crease; }
 
-  // Around each corner edges and patches follow each other in one ring; around a cusp in one for each part of the
+  // Around each corner edges and patches follow each other in one ring; around a cusp in one ring for each part of the
   // boundary. In a concave patch two sides meet at a corner of the boundary, two creases where three of them do, and a
   // side and a crease in a cusp: so there is one crease for each covered gap, between the sides at its ends.
   void check_rings() {
@@ -97,8 +97,8 @@ class SurfaceChecker : FirstViolation<SurfaceInvariant> {
     if (holds() && rings != expected) fail(SurfaceInvariant::rings, no_id);
   }
 
-  // A crease is one arc of two patches, measured in each. Those of the same two are apart on their circle: starts and
-  // ends take turns.
+  // A crease is an arc of two patches and measured in each. Creases of the same two patches do not overlap on their
+  // circle.
   void check_crease(uint32_t id) {
     if (!is_crease(2 * id)) return;
     const CutPatches &cut = surface_.cut_patches();
@@ -129,7 +129,7 @@ class SurfaceChecker : FirstViolation<SurfaceInvariant> {
     return offset_from_origin(balls_, boundary_, position.ball) + position.offset;
   }
 
-  // It lies on the circle of the edge that starts there.
+  // A corner lies on the circle of each edge that starts there.
   void check_corner(uint32_t h) {
     const uint32_t corner = map_.origin(h);
     if (corner == no_id) return;
@@ -152,8 +152,8 @@ class SurfaceChecker : FirstViolation<SurfaceInvariant> {
     }
   }
 
-  // The rest of a concave patch are its pieces: their sums are those of the same terms, a few for each of their
-  // arcs, in another order, so they differ by rounding alone.
+  // A cut concave patch is the sum of its pieces. Both are sums of the same terms, a few for each arc, in different
+  // orders, so they differ by rounding alone.
   void check_areas_at(uint32_t v) {
     const CutPatches &cut = surface_.cut_patches();
     if (!cut.is_cut(v)) return;
@@ -170,11 +170,11 @@ class SurfaceChecker : FirstViolation<SurfaceInvariant> {
     if (!most.allows(area - patch.area, volume - patch.volume)) fail(SurfaceInvariant::areas, v);
   }
 
-  // By how much sums of areas, and of terms of the volume, may differ where their terms are the same, but in another
-  // order: m additions of terms that are at most t round by m^2 t u. A face or patch with k arcs and loops, on a sphere
-  // of radius at most R, is a sum of some 4 k terms of at most 7 pi R^2, which are rounded a few times each. Beyond
-  // them come the 32 additions of a TreeSum. Terms of the volume are larger by as much as the sphere reaches away from
-  // the origin.
+  // The most by which sums of areas, and of terms of the volume, may differ if they have the same terms in different
+  // orders: m additions of terms that are at most t round by m^2 t u. A face or patch with k arcs and loops, on a
+  // sphere of radius at most R, is a sum of some 4 k terms of at most 7 pi R^2, which are rounded a few times each.
+  // Beyond them come the 32 additions of a TreeSum. Terms of the volume are larger by as much as the sphere reaches
+  // away from the origin.
   struct Rounding {
     double area = 0.0, volume = 0.0;
 

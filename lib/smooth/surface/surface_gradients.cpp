@@ -12,8 +12,8 @@ Vec3 by_centre(const double (&a)[4]) {
   return {a[0], a[1], a[2]};
 }
 
-// The concave patch at a vertex of ball i, at this offset from the ball's centre. Returns what the vertex's speed is
-// multiplied by in the derivatives of the area.
+// Adds the concave patch at a vertex of ball i; `offset` leads from the ball's centre to it. Returns the factor of the
+// vertex's velocity in the derivatives of the area.
 Vec3 add_concave(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t i, uint32_t vertex,
                  const Vec3 &offset, SurfaceGradient &result) {
   const double p = static_cast<double>(balls.probe_steps);
@@ -44,7 +44,7 @@ Vec3 add_concave(const BallSet &balls, const Boundary &boundary, const Surface &
   return q_area;
 }
 
-// Of one of a ball's faces, or of all.
+// The gradient of one of a ball's faces, or of all if `one` is no_id.
 SurfaceGradient gradient_of_faces(const BallSet &balls, const Boundary &boundary, const Surface &surface,
                                   const AreaWeights &weights, uint32_t i, uint32_t one) {
   SurfaceGradient result;
@@ -69,7 +69,7 @@ SurfaceGradient gradient_of_faces(const BallSet &balls, const Boundary &boundary
       const Vec3 q_area = add_concave(balls, boundary, surface, i, vertex, offset, result);
       if (weighted && boundary.root_discriminant(vertex) > 0.0) joints.add_vertex(vertex, offset, q_area);
     }
-    // Without a probe an arc is what its saddle becomes in the limit, a circle of radius 0 is not.
+    // Without a probe an arc is the limit of its saddle; a circle of radius 0 is not.
     result.degenerate = result.degenerate || (balls.probe_steps == 0 && batch.any_touching);
     const SaddleDerivatives saddle = saddles.differentiate(batch);
     result.measure.saddle += saddle.measures.area;

@@ -179,7 +179,8 @@ uint32_t SurfaceMap::patch_arc_of_side(uint32_t half_edge, uint32_t part) const 
   return no_id;
 }
 
-// Of the three half-edges that start at a vertex each continues that before it, seen along the sides.
+// In the concave patch a side runs towards the ball of its half-edge. So the side before it is that of the half-edge on
+// the other ball of its circle, and the side after it that of the half-edge on the third ball.
 uint32_t SurfaceMap::side_before(uint32_t half_edge) const {
   const uint32_t vertex = boundary_.half_edge(half_edge).vertex;
   return boundary_.half_edge_at(vertex, boundary_.vertex(vertex).slot_of(boundary_.half_edge(half_edge).circle));
@@ -269,7 +270,8 @@ uint32_t SurfaceMap::origin(uint32_t h) const {
   const uint32_t other = boundary_.half_edge(e).circle;
   const uint32_t circle = cusped_circle_of(e);
   if (circle == no_id) return corner_at(vertex, d.outward ? other : own);
-  // Away from the own ball to its cusp, and from the other ball's cusp to that ball.
+  // With the saddle on its left, a side runs from the own ball to its cusp, and from the other ball's cusp to that
+  // ball.
   if (d.at_other) return d.outward ? corner_at(vertex, other) : cusp_at(circle, other);
   return d.outward ? cusp_at(circle, own) : corner_at(vertex, own);
 }

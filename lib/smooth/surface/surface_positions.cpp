@@ -15,12 +15,12 @@ Vec3 towards(const BallSet &balls, const Position &position, uint32_t ball) {
   return unit(balls.difference(position.ball, ball) - position.offset, none);
 }
 
-// The cap that another probe cuts out of the one at a position: unit vector and height on the unit sphere.
+// The cap that another probe cuts out of a probe's sphere, scaled to the unit sphere: axis, a unit vector, and height.
 struct ProbeCap {
   Vec3 axis;
   double height;
 
-  // That of a way between two probes.
+  // The cap for the vector `to` from one probe's centre to the other's.
   ProbeCap(const Vec3 &to, double p) {
     // Squares of the shortest ways are below the range of doubles.
     constexpr double least = 0x1p-400;
@@ -29,10 +29,10 @@ struct ProbeCap {
     height = length / (2 * p);
     if (height > 1.0) height = 1.0;
   }
-  // If both vertices of a crease are on one circle: its axis is at right angles to that circle's and to the way from
-  // there to the middle of the vertices. False if they are not, or if nothing tells which vertex is the first of them
-  // counter-clockwise about the circle's axis: `order` is 1 if it is this one, -1 if the one across, 0 if positions
-  // have to say.
+  // Computes the cap's axis anew if both vertices of a crease are on one circle: at right angles to the circle's axis
+  // and to the vector from the circle's middle to that of the vertices. False if they are not on one circle, or if it
+  // is not known which vertex is the first counter-clockwise about the circle's axis. order: 1 if it is this one, -1 if
+  // the one across, 0 if positions have to tell.
   bool turn(const BallSet &balls, const Boundary &boundary, const Position &from, uint32_t vertex, uint32_t across,
             double order) {
     uint32_t ball[2];
@@ -46,7 +46,7 @@ struct ProbeCap {
     axis = cosine > 0.0 ? turned : -turned;
     return true;
   }
-  // Where its circle leaves the other cap.
+  // The point where this cap's circle leaves the other cap.
   Vec3 exit_of(const ProbeCap &other) const {
     const CircleCrossing<Vec3, double> crossing(axis, height, other.axis, other.height);
     const double D = crossing.discriminant(1.0);
@@ -61,8 +61,8 @@ Position position_of_cusp(const BallSet &balls, const CuspedCircles &cusped, uin
   return {position.centre.ball, position.centre.offset + (cusp % 2 == 0 ? -along : along) * position.axis};
 }
 
-// The name of the corner of three creases where an arc of a cut patch begins. Of two points the one where its crease
-// leaves the probe of the arc before.
+// The name of the corner of three creases where an arc of a cut patch begins: of the two points, the one where the
+// arc's crease leaves the probe of the arc before.
 BorderPoint name_of_start(uint32_t vertex, uint32_t across, uint32_t before) {
   BorderPoint corner{BorderPoint::Kind::corner, 1, {vertex, across, before}};
   sort_three(corner.id[0], corner.id[1], corner.id[2], [](uint32_t a, uint32_t b) { return a < b; });
@@ -72,7 +72,7 @@ BorderPoint name_of_start(uint32_t vertex, uint32_t across, uint32_t before) {
   return corner;
 }
 
-// In doubles it is where the circle of the arc leaves the cap of the one before it.
+// In doubles the corner is where the circle of the arc leaves the cap of the arc before it.
 Position position_of_crease_corner(const SurfaceMap &map, uint32_t arc) {
   const BallSet &balls = map.balls();
   const CutPatches &cut = map.surface().cut_patches();
@@ -175,12 +175,12 @@ bool find_common_circle(const Boundary &boundary, uint32_t v, uint32_t w, uint32
   return found == 2;
 }
 
-// In doubles, as it is asked by tasks, which have little stack. Where the vertices beside a crease are near each other
-// the way from one to the other tells of the axis by half the digits or fewer. If they are on one circle the plane of
-// the crease contains that circle's axis, which tells better. A cusp at an end of it is found from its circle, too, as
-// the planes of crease and side, which meet there, may be nearly one.
+// Computed in doubles, as it is called in tasks, which have little stack. If the vertices beside a crease are near each
+// other, the vector between them gives half the digits of the crease's axis or fewer. If they are on one circle, the
+// plane of the crease contains that circle's axis, which gives more digits. A cusp at an end of the crease is found
+// from its circle, too, as the planes of crease and side, which meet there, may nearly coincide.
 VertexCrease crease_on_probe(const SurfaceMap &map, uint32_t arc) {
-  // From this height down ways between vertices have too few digits for the axis.
+  // Below this height vectors between vertices have too few digits for the axis.
   constexpr double low = 0x1p-12;
   const BallSet &balls = map.balls();
   const Boundary &boundary = map.boundary();
@@ -200,7 +200,7 @@ VertexCrease crease_on_probe(const SurfaceMap &map, uint32_t arc) {
   const uint32_t start_cusp = map.cusp_of(cut.arc(arc).corner), end_cusp = map.cusp_of(cut.arc(next).corner);
   const bool has_cusps = start_cusp != no_id && end_cusp != no_id;
   if (own.height < low) {
-    // Between cusps a crease lies on the other side of the circle's axis than its vertices.
+    // A crease between two cusps lies across the circle's axis from its vertices.
     const double order = !has_cusps || start_cusp != (end_cusp ^ 1) ? 0.0 : end_cusp % 2 == 0 ? -1.0 : 1.0;
     const bool is_turned = own.turn(balls, boundary, centre, vertex, across, order);
     crease.is_certain = is_turned || 2 * own.height >= coincident_distance;
@@ -210,7 +210,7 @@ VertexCrease crease_on_probe(const SurfaceMap &map, uint32_t arc) {
     crease.arc.height = 0.0;
     return crease;
   }
-  // Where the crease ends: in a cusp, or where it meets another crease, of which it may be the one before.
+  // An end of the crease: a cusp, or the corner with another crease, which comes before it or behind it in the loop.
   const auto end_at = [&](uint32_t cusp, uint32_t other, bool is_start) {
     if (cusp != no_id) {
       return 1.0 / p * difference(balls, centre, position_of_cusp(balls, map.surface().cusped_circles(), cusp));
@@ -220,8 +220,8 @@ VertexCrease crease_on_probe(const SurfaceMap &map, uint32_t arc) {
     if (cap.height < low) {
       cap.turn(balls, boundary, centre, vertex, third, 0.0);
     } else if (own.height >= low) {
-      // Of three vertices the two others may be near each other. Then both planes are nearly one, and theirs, which
-      // has the same line with each, tells where it is.
+      // The two other vertices may be near each other. Then the planes of both creases nearly coincide. The bisector
+      // plane of those two vertices meets each of them in the same line, and gives it precisely.
       const Position opposite = position_of_vertex(balls, boundary, across);
       ProbeCap between(way_to(opposite, third), p);
       if (between.height < low && between.turn(balls, boundary, opposite, across, third, 0.0)) {

@@ -13,14 +13,14 @@ void SurfaceShells::find(const Boundary &boundary, const CuspedCircles &cusped, 
   join_pieces(boundary, cut, patience, sets);
   if (!patience.allows(50 * uint64_t{nodes})) return;
   sets.flatten();
-  // No number has a larger representative: that has its shell already.
+  // No representative is larger than a member of its set, so it has its shell already.
   count_ = 0;
   for (uint32_t k = 0; k < nodes; ++k) {
     shell_[k] = shell_[k] == k ? count_++ : shell_[shell_[k]];
   }
 }
 
-// In the order in which circles with cusps were found: the next one is always known.
+// Circles are visited in the order in which those with cusps were found, so the next of those is always known.
 void SurfaceShells::join_saddles(const Boundary &boundary, const CuspedCircles &cusped, Patience &patience,
                                  DisjointSets &sets) {
   uint32_t next = 0;

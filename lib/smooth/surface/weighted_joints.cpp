@@ -21,7 +21,7 @@ JointKernel::Real lane(double x) {
 struct SaddleCircle {
   double probe, radius, half_way, height, other_height, distance, ball_radius, other_ball_radius;
 
-  // Computed on the ball of lower rank, so that all see the same.
+  // Computed on the ball of lower rank, so that both balls have the same bits.
   SaddleCircle(const BallSet &balls, uint32_t a, uint32_t b)
       : probe(static_cast<double>(balls.probe_steps)), ball_radius(balls.r[a]), other_ball_radius(balls.r[b]) {
     const Vec3 between = balls.difference(a, b);
@@ -34,7 +34,7 @@ struct SaddleCircle {
     height = in_order ? circle.height : distance - circle.height;
     other_height = in_order ? distance - circle.height : circle.height;
   }
-  // Seen from a, the parts at a and b times a number each.
+  // The profile seen from a, with a factor each for the parts at a and b.
   Profile weighted(double weight, double other_weight) const {
     const auto part = [this](double own_height, double own_radius, double opposite_height, double opposite_radius) {
       return Profile(lane(probe), lane(radius), lane(half_way), lane(own_height), lane(own_radius),
@@ -45,8 +45,9 @@ struct SaddleCircle {
   }
 };
 
-// The side between the saddle of balls a and b and a concave patch of weight `mean`: what its conormal speed, summed
-// along it and times the difference of the weights, is of the speed of the vertex and of that of a's centre.
+// The side between the saddle of balls a and b and a concave patch. Its conormal speed, times the difference of the
+// weights and integrated along the side, is linear in the speeds of the vertex and of the centres: the factors for the
+// vertex and for a's centre.
 struct SideSpeed {
   double of_vertex = 0.0, of_centre = 0.0;
 
@@ -57,7 +58,7 @@ struct SideSpeed {
     const Profile profile = circle.weighted(weight, other_weight);
     sum(circle, profile.T[0], profile.S[0], profile.Q[0]);
   }
-  // Of other arcs in the plane through the circle's axis: with these integrals, of 1, cosine and sine.
+  // The same for another arc in a plane through the circle's axis, from its integrals of 1, cosine and sine.
   SideSpeed(const SaddleCircle &circle, double T, double S, double Q) {
     if (circle.radius > 0.0) sum(circle, T, S, Q);
   }
@@ -72,7 +73,8 @@ struct SideSpeed {
 
 }  // namespace
 
-// The mean of its balls' weights: their own if they are equal, and the same in whatever order they come.
+// The mean of the weights of a vertex's balls: exactly the weight if all are equal, and independent of the balls'
+// order.
 double WeightedJoints::weight_of_vertex(uint32_t vertex) const {
   const VertexRecord &record = boundary_.vertex(vertex);
   const double a = weight_of(record.ball[0]), b = weight_of(record.ball[1]), c = weight_of(record.ball[2]);
@@ -96,9 +98,9 @@ void WeightedJoints::add_saddles(const ArcBatch &batch, const SaddlePatches &sad
   }
 }
 
-// Of a circle without cusps. Where its plane passes beyond a centre the saddle is all the other ball's, up to the
-// border of the patch on that ball. That jumps where the plane passes through the centre, so integers tell, which both
-// balls see alike.
+// For a circle without cusps. If its plane lies beyond one ball's centre, the whole saddle is the other ball's, up to
+// the border of the convex patch of that one ball. This changes abruptly when the plane passes through the centre, so
+// it is decided in integers, alike for both balls.
 void WeightedJoints::add_waist(const ArcBatch &batch, uint32_t s, double rho, double difference) {
   const double height = 0.5 * batch.twice_height[s];
   const double other_height = 1.0 / batch.inverse_distance[s] - height;
@@ -130,7 +132,7 @@ void WeightedJoints::add_waist(const ArcBatch &batch, uint32_t s, double rho, do
   }
 }
 
-// Of the creases across which the weight is another one, the integrals that multiply the speed of the vertex, beside
+// For creases between patches of different weights: the integrals that multiply the speed of the vertex, in addition to
 // those for equal weights. On a crease with the axis a towards the vertex across, at the height c, the conormals n and
 // n' of the two sides are (a - c w)/s and (-a - c w')/s: half the sum of the two weights belongs to n + n', half their
 // difference to n - n' = 2 s a.
@@ -157,9 +159,10 @@ Vec3 WeightedJoints::crease_part(uint32_t vertex, const Vec3 &offset, double mea
   return sum;
 }
 
-// The difference's part on a crease between two vertices of one circle: its plane turns with the circle's axis, like
-// that of a side, and the middle of the two vertices is on it (PROOFS.md, section 9). False if they are not on one, or
-// if that is nearer to the axis than to the vertices, whose distance tells more then.
+// The part of the weights' difference on a crease between two vertices of one circle. The crease's plane turns with the
+// circle's axis, like that of a side, and contains the middle of the two vertices (PROOFS.md, section 9). False if they
+// are not on one circle, or if their middle is nearer to the axis than to the vertices: then their distance is the more
+// precise measure.
 bool WeightedJoints::turn_crease(uint32_t vertex, uint32_t across, const SphereArc &crease, const Vec3 &offset,
                                  double half_difference, Vec3 &by_vertex) {
   uint32_t ball[2];
@@ -183,20 +186,22 @@ bool WeightedJoints::turn_crease(uint32_t vertex, uint32_t across, const SphereA
   return true;
 }
 
-// Apart, too, from what is done without weights.
+// A function of its own, so that its temporaries are not on the stack of computations without weights.
 [[gnu::noinline]] void WeightedJoints::add_vertex(uint32_t vertex, const Vec3 &offset, const Vec3 &equal_weights) {
   const double mean = weight_of_vertex(vertex);
   add_sides(vertex, offset, mean, combine(mean - weight_, equal_weights, 1.0, crease_part(vertex, offset, mean)));
 }
 
-// With what else multiplies the speed of the vertex. Apart, so that its numbers are not on the stack below creases.
+// by_vertex: the other factors of the vertex's speed. A function of its own, so that its temporaries are not on the
+// stack while creases are computed.
 [[gnu::noinline]] void WeightedJoints::add_sides(uint32_t vertex, const Vec3 &offset, double mean, Vec3 by_vertex) {
-  // With a small determinant the vertex moves so far that rounding tells in what its balls get. That is large, but the
-  // sum is not, if all three have the same sums and normals.
+  // With a small determinant the vertex moves so far that rounding is visible in what each ball gets. That error is
+  // large for one ball, but not for the sum over the three, if all three use the same sums and normals.
   constexpr double most_inverse = 0x1p9;
   VertexContacts contacts(balls_, boundary_, vertex, ball_, offset);
   if (contacts.inverse > most_inverse) contacts.see_as_all(balls_, position_of_vertex(balls_, boundary_, vertex));
-  // Side k faces ball k: out of the saddle, towards that ball, across the plane through the other two and the vertex.
+  // Side k faces ball k. Its conormal out of the saddle points towards that ball, at right angles to the plane through
+  // the other two balls' centres and the vertex.
   Vec3 part[3];
   for (uint32_t k = 0; k < 3; ++k) {
     const uint32_t a = k == 0 ? 1 : 0;
