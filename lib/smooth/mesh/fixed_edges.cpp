@@ -45,7 +45,7 @@ bool SphereTriangulation::gather_crossings(uint32_t a, uint32_t b, uint32_t &obs
       obstacle = y;
       return false;
     }
-    // In u the corners after y are left, right: the line leaves between y and the one on the other side.
+    // In u the corners after y are left and right. The line leaves u between y and the one of them on its other side.
     edge = at > 0 ? triangle_[u].corner_of(left) : triangle_[u].corner_of(right);
     t = u;
   }

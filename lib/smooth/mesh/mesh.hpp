@@ -40,7 +40,7 @@ class Mesh {
   uint32_t refined_count() const { return refined_; }  // curves with more points than their length demands
   const MeshVertex &vertex(uint32_t v) const { return vertices_[v]; }
   const MeshTriangle &triangle(uint32_t t) const { return triangles_[t]; }
-  // They are in the order of their patches.
+  // The triangles of a patch. All triangles are in the order of their patches.
   IdRange triangles_of(uint32_t patch) const { return {first_from(patch), first_from(uint64_t{patch} + 1)}; }
 
  private:

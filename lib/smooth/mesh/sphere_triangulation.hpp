@@ -53,8 +53,8 @@ class SphereTriangulation {
   bool fix_edge(uint32_t a, uint32_t b, uint32_t &obstacle);
   // After that: the other end of the edge in the way, or no_id.
   uint32_t other_obstacle() const { return other_obstacle_; }
-  // Takes away a point where no fixed edge ends; its number is not used again, those of triangles change. False if the
-  // triangles around it cannot give way to others.
+  // Removes a point where no fixed edge ends. Its number is not used again, and numbers of triangles change. False if
+  // the triangles around it cannot give way to others.
   bool remove(uint32_t p);
   // Flips the edges that fix_edge and remove have left and that are not Delaunay edges.
   void restore_all();

@@ -4,8 +4,8 @@
 
 namespace hsp {
 
-// In units of the distance between points: points inside keep so far away from borders; and a point so deep in a cap
-// cannot come to lie in the patch, although chords run beside their arcs.
+// In units of the distance between points. Points inside keep away from borders by the first share. A point deeper in a
+// cap than the second share cannot come to lie in the patch, although chords run beside their arcs.
 constexpr double share_kept_off = 0.6;
 constexpr double share_well_inside = 0.25;
 
@@ -188,7 +188,7 @@ PatchState SphericalPatch::triangulate(bool pinched) {
     add_corridors();
     add_detours();
   }
-  // Also where there is room: what is needed does not depend on that.
+  // This is done even if there was room, so that the need does not depend on the room.
   const uint64_t used = samples_.required() > ears_.required() ? samples_.required() : ears_.required();
   if (used > needed_points_) needed_points_ = used;
   if (samples_.overflowed() || ears_.overflowed()) {

@@ -60,7 +60,7 @@ class SphericalPatch {
   // Without loops the whole sphere is face 0. pinched: a border that runs along another one may take the same edges of
   // the triangulation.
   PatchState triangulate(bool pinched = false);
-  // From the order of the points alone, where the patch has no area (patch_from_loops.cpp).
+  // For a patch without area: triangles from the order of the points alone (patch_from_loops.cpp).
   PatchState triangulate_from_loops();
 
   // The number of points that were needed, or after PatchState::capacity an upper bound of it.
@@ -109,7 +109,8 @@ class SphericalPatch {
     uint32_t face = no_id;                       // no_id: not of the patch
     uint32_t corner[3] = {no_id, no_id, no_id};  // samples, and for points inside vertices of the mesh
     uint32_t middle[3] = {no_id, no_id, no_id};  // of edges, where they are divided, else no_id
-    // Of edges that a loop runs along with the triangle on its left, the sample, else no_id.
+    // For an edge that a loop runs along with the triangle on its left: the sample where this part of the loop starts;
+    // else no_id.
     uint32_t strand[3] = {no_id, no_id, no_id};
   };
 
@@ -184,7 +185,7 @@ class SphericalPatch {
   FixedVector<RoundedDirection> inputs_;  // the samples, then points inside
   Span<uint32_t> sample_at_;              // [points] a sample that lies there, or no_id
   Span<Part> parts_;                      // [triangles]
-  Span<uint32_t> queue_;                  // [triangles] of those that wait to hand their face on
+  Span<uint32_t> queue_;                  // [triangles] that wait to hand their face on
   Span<int64_t> balance_;                 // [points] for each face, of Euler's formula
 };
 

@@ -15,7 +15,7 @@ class CuspedCircles {
   // False if `patience` stops it.
   bool find(const ActualBalls &actual, Patience &patience);
 
-  // Their number, also if there is no room for all.
+  // The number of circles, also if there is no room for all.
   uint64_t required() const { return circle_.required(); }
   uint32_t count() const { return circle_.size(); }
   // The number of arcs on these circles, and of those circles that are free as a whole.
@@ -54,7 +54,7 @@ class CuspedCircles {
     const uint32_t k = of_arc(a, b);
     return k == no_id ? no_id : 2 * k + (at == ball(k, 1) ? 1 : 0);
   }
-  // Its two balls, ascending.
+  // Ball 0 or 1 of circle k, in ascending order.
   uint32_t ball(uint32_t k, uint32_t side) const { return circle_[k].ball[side]; }
 
  private:

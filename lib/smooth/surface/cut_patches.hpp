@@ -58,7 +58,7 @@ struct ConcavePatch {
 
 struct PatchPiece {
   uint32_t vertex;
-  uint32_t first_arc;  // those of a piece are consecutive, and those of the next piece follow
+  uint32_t first_arc;  // arcs of a piece are consecutive, and those of the next piece follow
   double area;         // square steps
   double volume;       // as above
   CreaseSums creases;
@@ -161,8 +161,8 @@ class CutPatches {
   // Where an arc ends.
   uint32_t end_corner(uint32_t k) const { return arc(arc(k).next).corner; }
 
-  // Sets whose ranks number creases, corners and pieces: the first of the two arcs of each crease; for each corner of
-  // three creases the arc that starts there in the patch of the lowest vertex; the pieces that are not the first of
+  // Bit sets, whose ranks number creases, corners and pieces: the first of the two arcs of each crease; for each corner
+  // of three creases the arc that starts there in the patch of the lowest vertex; the pieces that are not the first of
   // their vertex.
   const RankedBits &creases() const { return creases_; }
   const RankedBits &crease_corners() const { return crease_corners_; }

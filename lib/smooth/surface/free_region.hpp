@@ -160,7 +160,7 @@ class FreeRegionFinder {
     return true;
   }
 
-  // From every exit to the next entry: where all corners are certain the two take turns.
+  // Adds the arcs of circle k, from each exit to the next entry: if all corners are certain the two take turns.
   bool add_arcs(uint32_t k) {
     bool has_exits = false, good = true;
     for_each_corner(k, true, [&](RegionCorner &exit) {

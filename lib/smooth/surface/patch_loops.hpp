@@ -22,7 +22,7 @@ struct BorderArc {
   bool is_side() const { return (across & PatchArc::side_bit) != 0; }
 };
 
-// Of an arc on the unit sphere about the vertex.
+// Figures of an arc on the unit sphere about the vertex.
 struct ArcFigures : SphereArc {
   double exterior;  // angle at its end, positive for a turn to the right; 0 of a whole circle
 };

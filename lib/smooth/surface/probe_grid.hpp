@@ -49,7 +49,7 @@ class ProbeGrid {
 
   const ProbePositions &positions() const { return position_; }
   Position position(uint32_t vertex) const { return position_[vertex]; }
-  // From one vertex to another. The reverse is the negative, bit for bit.
+  // The vector from one vertex to another. The reverse vector is its negative, bit for bit.
   Vec3 difference(const BallSet &balls, uint32_t from, uint32_t to) const {
     return hsp::difference(balls, position_[from], position_[to]);
   }

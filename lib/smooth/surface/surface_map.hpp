@@ -80,7 +80,7 @@ class SurfaceMap {
 
   uint32_t first_cusp() const { return 3 * boundary_.vertex_count(); }
   uint32_t first_crease_corner() const { return first_cusp() + 2 * surface_.cusped_circles().count(); }
-  // Its number among cusps; no_id of other corners.
+  // The number of a corner among cusps; no_id for other corners.
   uint32_t cusp_of(uint32_t corner) const {
     return corner >= first_cusp() && corner < first_crease_corner() ? corner - first_cusp() : no_id;
   }
@@ -96,7 +96,7 @@ class SurfaceMap {
       loop = next_loop(loop);
     } while (loop != first);
   }
-  // And for each directed edge of a loop.
+  // Calls visit(h) for each directed edge of a loop.
   template <class Visit>
   void for_each_edge(uint32_t loop, Visit visit) const {
     uint32_t h = loop;

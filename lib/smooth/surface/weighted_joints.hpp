@@ -19,7 +19,7 @@
 
 namespace hsp {
 
-// Of one ball, in lattice steps.
+// Derivatives of S by one ball, in lattice steps.
 struct AreaDerivatives {
   Vec3 centre{0.0, 0.0, 0.0};
   double radius = 0.0;
