@@ -69,8 +69,8 @@ Status CreasedPatches::fill(const Inputs &in, CutPatches &cut, Patience &patienc
   return patience.allows(0) ? Status::degenerate : Status::stopped;
 }
 
-// Adds up the loops of a piece, one after the other. A solid angle is known up to the whole sphere's 4 pi; only one of
-// these values fits a part of the patch.
+// Adds up the loops of a piece, one after the other. Each loop but one takes away a whole sphere's 4 pi, so that the
+// sum is the solid angle of a part of the patch.
 void CreasedPatches::measure_piece(const PatchLoops &loops, uint32_t piece, double &steradians, Vec3 &vector_area,
                                    CreaseSums &sums) const {
   const Span<const BorderArc> arcs = arcs_.items();

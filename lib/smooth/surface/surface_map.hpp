@@ -72,8 +72,8 @@ class SurfaceMap {
   // The shell of a patch or corner; no_id for a corner where no edge ends: the cusp of a whole circle.
   uint32_t shell_of(uint32_t patch) const;
   uint32_t shell_of_corner(uint32_t corner) const;
-  // If the circle of a cusp has arcs of both parts (chosen_faces.hpp), the cusp is a corner of both: the shell of the
-  // part that shell_of_corner does not mean. Else no_id.
+  // If the circle of a cusp has arcs of both parts (chosen_faces.hpp), the cusp is a corner of both. Then this is the
+  // other one's shell, which shell_of_corner does not return; else no_id.
   uint32_t other_shell_of_cusp(uint32_t corner) const;
   // Whether a patch is of the part that is measured.
   bool is_chosen(uint32_t patch) const { return surface_.chosen().has(face_beside(patch)); }
