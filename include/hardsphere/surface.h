@@ -435,8 +435,9 @@ HSP_API int32_t HSP_CALL hsp_surface_get_shells(const hsp_surface *surface, hsp_
 /* ---- self-check -------------------------------------------------------------------------------------------------- */
 
 /** Check the invariants of a computed surface. If all hold, *invariant becomes 0 and *id HSP_NONE. Else *invariant
- *  becomes the number of the first that is violated, and *id that of the directed edge, patch, vertex or shell
- *  concerned:
+ *  becomes the number of the first that is violated, and *id that of what is concerned: a directed edge for 1, 2, 4 and
+ *  5, a patch for 3 and 8, a shell for 6, a patch with a negative area or the vertex of the pieces for 7; HSP_NONE if
+ *  the whole is, as always for 9:
  *  1. the edges around each corner are one ring, in a cusp one for each part of the boundary: four at a corner of the
  *     boundary, three where creases meet; in a cusp a crease lies between the sides at the ends of each covered gap
  *  2. next and previous are inverse, keep to one patch and go from corner to corner
@@ -446,8 +447,7 @@ HSP_API int32_t HSP_CALL hsp_surface_get_shells(const hsp_surface *surface, hsp_
  *  6. the Euler characteristic of each shell is even and at most 2
  *  7. no area is negative, and the pieces of a concave patch sum to what is left of it, up to rounding
  *  8. area and volume of convex and concave patches agree with the integral along their edges: the surface is closed
- *  9. areas and volumes of all patches, in chosen shells, sum to those of hsp_surface_measure, up to rounding; *id is
- *     HSP_NONE
+ *  9. areas and volumes of all patches, in chosen shells, sum to those of hsp_surface_measure, up to rounding
  *
  *  Cost: O(size of the surface).
  *  @retval HSP_OK              all hold

@@ -24,7 +24,7 @@ class SurfaceChecker : FirstViolation<SurfaceInvariant> {
   SurfaceViolation check() {
     for (uint32_t h = 0; h < 2 * map_.edge_count() && holds(); ++h) check_steps(h);
     for (uint32_t patch = 0; patch < map_.patch_count() && holds(); ++patch) count_loops(patch);
-    if (holds() && visited_ != 2 * map_.edge_count()) fail(SurfaceInvariant::loops, visited_);
+    if (holds() && visited_ != 2 * map_.edge_count()) fail(SurfaceInvariant::loops, no_id);
     if (holds()) check_rings();
     for (uint32_t e = 0; e < map_.edge_count() && holds(); ++e) check_crease(e);
     for (uint32_t h = 0; h < 2 * map_.edge_count() && holds(); ++h) check_corner(h);
