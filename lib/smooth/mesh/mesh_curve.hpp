@@ -52,13 +52,6 @@ inline bool has_ends_of_same_balls(const Boundary &boundary, uint32_t half_edge)
 // The direction to take if no other is known.
 inline constexpr Vec3 upwards{0.0, 0.0, 1.0};
 
-// A direction perpendicular to a unit vector, and to the coordinate axis that it is least along.
-inline Vec3 perpendicular_to(const Vec3 &axis) {
-  constexpr Vec3 axes[] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
-  const Vec3 &other = axes[axis_least_along(axis)];
-  return unit(cross(axis, other), other);
-}
-
 inline Vec3 direction_from(const BallSet &balls, uint32_t ball, const Position &position) {
   return balls.difference(ball, position.ball) + position.offset;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "measure/boundary_positions.hpp"
+#include "surface/border_points.hpp"
 #include "surface/probe_caps.hpp"
 #include "surface/surface_map.hpp"
 
@@ -32,6 +33,13 @@ bool find_common_circle(const Boundary &boundary, uint32_t v, uint32_t w, uint32
 inline Vec3 unit(const Vec3 &v, const Vec3 &instead) {
   const double square = dot(v, v);
   return square > 0.0 ? 1.0 / std::sqrt(square) * v : instead;
+}
+
+// A direction perpendicular to a unit vector, and to the coordinate axis that it is least along.
+inline Vec3 perpendicular_to(const Vec3 &axis) {
+  constexpr Vec3 axes[] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+  const Vec3 &other = axes[axis_least_along(axis)];
+  return unit(cross(axis, other), other);
 }
 
 }  // namespace hsp

@@ -47,4 +47,21 @@ TEST(SurfaceBuilder, CreasesThatBeginInOnePlace) {
             hsp::SurfaceInvariant::none);
 }
 
+// The probe stands between two balls that it touches in opposite points, at a vertex: any plane through both has the
+// side between them.
+TEST(SurfaceBuilder, ProbesBetweenTwoBalls) {
+  support::BallList list;
+  list.add(-0.4, -0.6, 0.8, 0.2);
+  list.add(-0.2, -0.8, 0.6, 0);
+  list.add(-0.6, 0.8, -0.4, 1);
+  list.add(0.4, 0.2, 0.4, 0);
+  list.add(0.8, 0.6, -0.2, 0.4);
+  list.add(-0.6, -0.8, -0.8, 0);
+  list.add(0.4, 0.8, 0.8, 0.1);
+  const BuiltSurface built(list, 0.5, 0.0);
+  ASSERT_EQ(built.status(), hsp::Status::ok);
+  EXPECT_EQ(hsp::check_surface({built.balls(), built.boundary(), built.surface()}).invariant,
+            hsp::SurfaceInvariant::none);
+}
+
 }  // namespace
