@@ -217,9 +217,11 @@ Status round_query(const BallSet &balls, const double *xyz, double radius, Latti
 }
 
 bool find_by_levels(const CubeGrid &grid, const QueryBall &query, QueryHits &hits) {
+  const RadiusLevels *const levels = grid.levels();
+  if (levels == nullptr) return false;
   QueryBall own = query;
   if (query.excluded != no_id) own.excluded = grid.grid_index(query.excluded);
-  hits.count = grid.levels()->find(own, hits.ids, QueryHits::room);
+  hits.count = levels->find(own, hits.ids, QueryHits::room);
   if (hits.count > QueryHits::room) return false;
   for (uint32_t k = 0; k < hits.count; ++k) hits.ids[k] = grid.balls().caller[hits.ids[k]];
   return true;

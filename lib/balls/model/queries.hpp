@@ -26,8 +26,8 @@ struct QueryResult {
 // Rounds a position and a radius, in the caller's unit, to the lattice of the balls.
 Status round_query(const BallSet &balls, const double *xyz, double radius, LatticeQuery &query);
 
-// The balls that meet a query, by the levels of radii of a grid that has them. False, and hits are of no use, if there
-// is not room for all, or others than levels find them sooner.
+// The balls that meet a query, by the levels of radii of a grid. False, and hits are of no use, if the grid has no
+// levels, if there is not room for all hits, or if others than levels find them sooner.
 bool find_by_levels(const CubeGrid &grid, const QueryBall &query, QueryHits &hits);
 
 // The balls that contain the point. Looks at 8 cubes at most.

@@ -7,7 +7,7 @@ void find_in_block(const CubeGrid &grid, const CubeBlock &block, const exact::Ve
   const QueryArrays arrays = query_arrays(grid.balls());
   const Vec3 p = to_double(point);
   const QueryBall query{p.x, p.y, p.z, static_cast<double>(radius), excluded};
-  if (grid.levels() != nullptr && find_by_levels(grid, query, hits)) return;
+  if (find_by_levels(grid, query, hits)) return;
   hits.count = 0;
   if constexpr (has_lanes) {
     if (grid.in_lanes()) return add_hits_in_lanes(grid.target(), arrays, query, block.range, block.ranges, hits);
