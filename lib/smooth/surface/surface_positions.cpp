@@ -120,7 +120,8 @@ ArcPosition position_of_side(const SurfaceMap &map, const SurfaceEdge &edge) {
     if (!(angle > 0.0)) angle = 0.0;
   }
   Vec3 axis = unit(normal, none);
-  // Where the probe stands between the balls, or all but, a normal of few digits is no longer perpendicular to the side.
+  // Where the probe stands between the balls, or all but, a normal of few digits is no longer perpendicular to the
+  // side.
   if (dot(normal, normal) < 0x1p-40) axis = unit(normal - dot(normal, from) * from, perpendicular_to(from));
   return {centre, axis, p, angle};
 }
