@@ -118,6 +118,26 @@ void sort_by_slot(Span<T> items, Span<uint32_t> scratch, SlotOf slot_of, Less le
       items, scratch, slots, [&](const T &item) { return slot_of(item, slots); }, less, [] { return true; });
 }
 
+// The same for items that number_of(item) spreads evenly, by which less() sorts in ascending order. With less scratch
+// memory as sort_in_place().
+template <class T, class NumberOf, class Less>
+void sort_by_number(Span<T> items, Span<uint32_t> scratch, NumberOf number_of, Less less) {
+  if (items.size() < 24 || scratch.size() < items.size()) return sort_in_place(items, less);
+  double low = number_of(items[0]), high = low;
+  for (const T &item : items) {
+    const double number = number_of(item);
+    low = number < low ? number : low;
+    high = number > high ? number : high;
+  }
+  const double scale = high > low ? 1.0 / (high - low) : 0.0;
+  sort_by_slot(
+      items, scratch,
+      [&](const T &item, uint32_t slots) {
+        return static_cast<uint32_t>((number_of(item) - low) * scale * (slots - 1));
+      },
+      less);
+}
+
 // Sorts three items, and returns whether the number of exchanges is odd.
 template <class T, class Less>
 bool sort_three(T &a, T &b, T &c, Less less) {

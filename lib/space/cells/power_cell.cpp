@@ -101,25 +101,17 @@ bool PowerCell::order_next_planes() {
     planes_at_once_ *= 4;
   }
   // About so many are as near as the nearest of every so many.
-  double least = done_with, most = done_with;
-  for (uint32_t m = 0; m < members; ++m) {
-    least = distance[m] < least ? distance[m] : least;
-    if (m % planes_at_once_ == 0) most = distance[m] < most ? distance[m] : most;
-  }
+  double most = done_with;
+  for (uint32_t m = 0; m < members; m += planes_at_once_) most = distance[m] < most ? distance[m] : most;
   PlaneOrder &order = order_[0];
   order.next = order.count = 0;
-  double farthest = least;
   for (uint32_t m = 0; m < members; ++m) {
-    const bool taken = distance[m] <= most && distance[m] < done_with;
     of_planes_.nearest[order.count] = m;
-    order.count += taken ? 1U : 0U;
-    farthest = taken && distance[m] > farthest ? distance[m] : farthest;
+    order.count += distance[m] <= most && distance[m] < done_with ? 1U : 0U;
   }
-  const double scale = farthest > least ? 1.0 / (farthest - least) : 0.0;
-  sort_by_slot(
-      Span<uint32_t>(of_planes_.nearest, order.count), waiting_,
-      [&](uint32_t m, uint32_t slots) { return static_cast<uint32_t>((distance[m] - least) * scale * (slots - 1)); },
-      [&](uint32_t a, uint32_t b) { return distance[a] != distance[b] ? distance[a] < distance[b] : a < b; });
+  sort_by_number(
+      Span<uint32_t>(of_planes_.nearest, order.count), waiting_, [distance](uint32_t m) { return distance[m]; },
+      [distance](uint32_t a, uint32_t b) { return distance[a] != distance[b] ? distance[a] < distance[b] : a < b; });
   return order.count > 0;
 }
 

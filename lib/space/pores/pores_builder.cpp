@@ -111,17 +111,8 @@ bool are_congruent(const BallSet &balls, const uint32_t *a, const uint32_t *b, u
 // Sorts records by level; in linear time if there is scratch memory and levels are spread.
 template <class Record, class Higher>
 void sort_by_level(Span<Record> records, Span<uint32_t> scratch, Higher higher) {
-  if (records.size() < 24 || scratch.size() < records.size()) return sort_in_place(records, higher);
-  double low = records[0].point.level, high = low;
-  for (const Record &record : records) {
-    low = record.point.level < low ? record.point.level : low;
-    high = record.point.level > high ? record.point.level : high;
-  }
-  const double scale = high > low ? 1.0 / (high - low) : 0.0;
-  const auto slot_of = [&](const Record &record, uint32_t slots) {
-    return static_cast<uint32_t>((high - record.point.level) * scale * (slots - 1));
-  };
-  sort_by_slot(records, scratch, slot_of, higher);
+  sort_by_number(
+      records, scratch, [](const Record &record) { return -record.point.level; }, higher);
 }
 
 }  // namespace

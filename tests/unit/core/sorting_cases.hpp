@@ -116,6 +116,21 @@ inline uint32_t sorted_by_few_slots() {
   });
 }
 
+// By numbers that follow the order, are all the same, or follow another one.
+inline uint32_t sorted_by_number() {
+  struct Guess {
+    double (*number)(uint32_t item);
+  };
+  constexpr Guess guesses[] = {{[](uint32_t item) { return item - 90.5; }},
+                               {[](uint32_t) { return -1e300; }},
+                               {[](uint32_t item) { return -1e300 * (item % 7); }}};
+  return first_failing(guesses, [](const Guess &guess) {
+    return sorted_whatever_the_length([&guess](hsp::Span<uint32_t> items, hsp::Span<uint32_t> scratch) {
+             hsp::sort_by_number(items, scratch, guess.number, ascending);
+           }) == all_hold;
+  });
+}
+
 // The comparison alone decides: here larger items come first.
 inline uint32_t sorted_by_the_given_order() {
   int items[30];
@@ -174,12 +189,10 @@ inline uint32_t places_in_a_heap() {
   return all_hold;
 }
 
-inline constexpr Check core_sorting[] = {{"sorted_in_place", sorted_in_place},
-                                         {"sorted_ascending", sorted_ascending},
-                                         {"sorted_by_slot", sorted_by_slot},
-                                         {"sorted_by_few_slots", sorted_by_few_slots},
-                                         {"sorted_by_the_given_order", sorted_by_the_given_order},
-                                         {"three_sorted", three_sorted},
-                                         {"places_in_a_heap", places_in_a_heap}};
+inline constexpr Check core_sorting[] = {
+    {"sorted_in_place", sorted_in_place},   {"sorted_ascending", sorted_ascending},
+    {"sorted_by_slot", sorted_by_slot},     {"sorted_by_few_slots", sorted_by_few_slots},
+    {"sorted_by_number", sorted_by_number}, {"sorted_by_the_given_order", sorted_by_the_given_order},
+    {"three_sorted", three_sorted},         {"places_in_a_heap", places_in_a_heap}};
 
 }  // namespace cases
