@@ -14,8 +14,8 @@
  *
  * Areas, volume, an energy of them and its derivatives are known at all times. A move computes these balls again: those
  * that moved, those that a moved ball met before, and those that it meets afterwards. Then it adds up totals along a
- * fixed tree. Where no ball is far larger than the others, its cost depends on how many of these there are only by the
- * depth of that tree.
+ * fixed tree. Its cost depends on how many balls there are only by the depth of that tree, and beside a few balls that
+ * are far larger than most only by what these meet.
  *
  * SAME BITS   Every number is, bit for bit, what hsp_boundary_compute, hsp_boundary_measure and
  * hsp_boundary_get_gradient give for a new model of the balls as they are, whatever moves led there. The new model has
@@ -86,8 +86,7 @@ HSP_API int32_t HSP_CALL hsp_moving_init(void *memory, size_t bytes, const hsp_m
  *  there is none.
  *  - Property 1: the order of the balls has no effect but on ids, and on the last bits of sums over all balls.
  *
- *  Cost: about that of hsp_boundary_compute and hsp_boundary_get_gradient; O(n c) with a few balls that are far larger
- *  than all others.
+ *  Cost: about that of hsp_boundary_compute and hsp_boundary_get_gradient.
  *  @retval HSP_E_ARGUMENT    moving or model is NULL; unknown tangency
  *  @retval HSP_E_VERSION     bad struct_size of limits
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with

@@ -9,9 +9,11 @@ void BallCells::carve(Workspace &workspace, uint32_t balls) {
   cube_ = workspace.take<CubeCoordinates>(balls);
 }
 
-void BallCells::clear(uint32_t balls, int64_t side) {
+void BallCells::clear(uint32_t balls, int64_t side, int64_t largest_small) {
   balls_ = balls;
-  side_ = side;
+  side_[0] = side;
+  side_[1] = 2 * largest_small;
+  count_[0] = count_[1] = 0;
   used_ = static_cast<uint32_t>(CubeSlots::slots_for(balls));
   for (uint32_t &first : first_.part(0, used_)) first = no_id;
   for (uint32_t ball = 0; ball < balls; ++ball) next_[ball] = ball;
@@ -24,8 +26,10 @@ uint32_t &BallCells::link_to(const CubeCoordinates &cube) {
   return *link;
 }
 
-void BallCells::insert(uint32_t ball, const exact::Vector &centre) {
-  cube_[ball] = CubeAxis(side_).cube_at(centre);
+void BallCells::insert(uint32_t ball, const exact::LatticeBall &placed) {
+  const uint32_t size = size_of(placed.radius);
+  ++count_[size];
+  cube_[ball] = cube_at(size, placed.centre);
   uint32_t &first = link_to(cube_[ball]);
   if (first == no_id) {
     first = ball;
@@ -39,6 +43,7 @@ void BallCells::insert(uint32_t ball, const exact::Vector &centre) {
 // A first ball is replaced by another one of its cube. If there is none, it is replaced by a leaf of the tree below it:
 // all balls below share the bits that lead to it.
 void BallCells::remove(uint32_t ball) {
+  --count_[size_of(cube_[ball])];
   uint32_t &first = link_to(cube_[ball]);
   if (first != ball) {
     uint32_t before = first;

@@ -1,6 +1,8 @@
 // Balls sorted by cubes, for balls that come and go. The balls of a cube are a chain. The first balls of cubes with the
 // same hash are a digital search tree (cube_slots.hpp), as a rule of one cube. So for any choice of cubes the way to a
 // chain is no longer than the number of bits of a cube's coordinates.
+//
+// Cubes are as wide as the largest ball. Where most balls are far smaller, these are in smaller cubes of their own.
 #pragma once
 
 #include "core/workspace.hpp"
@@ -13,35 +15,31 @@ namespace hsp {
 class BallCells {
  public:
   void carve(Workspace &workspace, uint32_t balls);
-  // Removes all balls. From now on there are at most so many, with ids below that, and cubes of this side.
-  void clear(uint32_t balls, int64_t side);
+  // Removes all balls. From now on there are at most so many, with ids below that. Cubes have this side, which is at
+  // least twice the radius of each ball; balls of radii up to largest_small are in cubes of twice that radius. 0: all
+  // cubes are alike.
+  void clear(uint32_t balls, int64_t side, int64_t largest_small);
 
-  void insert(uint32_t ball, const exact::Vector &centre);
+  void insert(uint32_t ball, const exact::LatticeBall &placed);
   void remove(uint32_t ball);  // a ball that is there
-  int64_t side() const { return side_; }
+  int64_t side() const { return side_[0]; }
+  // The side of the cubes that have the balls of a radius.
+  int64_t side_for(int64_t radius) const { return side_[size_of(radius)]; }
+  bool has_small_cubes() const { return side_[1] != 0; }
 
-  // Calls visit(ball) once for every ball in the cubes that a box meets. If the box has more cubes than there are
-  // balls, calls it for every ball.
+  // Calls visit(ball) once for every ball that may meet or touch a ball of radius `reach`, or less, whose centre is in
+  // a box. If there are more cubes to look in than balls, calls it for every ball of that size.
   template <class Visit>
-  void visit_box(const exact::Vector &low, const exact::Vector &high, Visit visit) const {
-    const CubeAxis axis(side_);
-    const CubeCoordinates first = axis.cube_at(low), last = axis.cube_at(high);
-    const int64_t cubes = (last.x - first.x + 1) * (last.y - first.y + 1) * (last.z - first.z + 1);
-    if (cubes > balls_) {
-      for (uint32_t ball = 0; ball < balls_; ++ball) {
-        if (is_there(ball)) visit(ball);
-      }
-      return;
+  void visit_near(const exact::Vector &low, const exact::Vector &high, int64_t reach, Visit visit) const {
+    for (uint32_t size = 0; size < sizes; ++size) {
+      if (count_[size] != 0) visit_size(size, low, high, reach + side_[size] / 2, visit);
     }
-    const uint64_t along_x = linear_hash({1, 0, 0});
-    for (int64_t z = first.z; z <= last.z; ++z) {
-      for (int64_t y = first.y; y <= last.y; ++y) {
-        uint64_t linear = linear_hash({first.x, y, z});
-        for (int64_t x = first.x; x <= last.x; ++x, linear += along_x) {
-          for (uint32_t ball = first_in({x, y, z}, linear); ball != no_id; ball = next_[ball]) visit(ball);
-        }
-      }
-    }
+  }
+  // Calls visit(other) for all balls of the cube of a ball, itself among them.
+  template <class Visit>
+  void visit_cube_of(uint32_t ball, Visit visit) const {
+    for (uint32_t other = first_in(cube_[ball], linear_hash(cube_[ball])); other != no_id; other = next_[other])
+      visit(other);
   }
   // The largest number of first balls that are looked at on the way to the chain of a cube.
   uint32_t longest_way() const;
@@ -49,9 +47,7 @@ class BallCells {
   // Calls visit(other) for every ball that may meet or touch the given one.
   template <class Visit>
   void visit_around(const exact::LatticeBall &ball, Visit visit) const {
-    const int64_t reach = ball.radius + side_ / 2;
-    const exact::Vector &c = ball.centre;
-    visit_box({c.x - reach, c.y - reach, c.z - reach}, {c.x + reach, c.y + reach, c.z + reach}, visit);
+    visit_near(ball.centre, ball.centre, ball.radius, visit);
   }
   // Calls visit(other) for every ball of the set that meets or touches the given one; it may itself be among them.
   template <class Visit>
@@ -65,18 +61,17 @@ class BallCells {
   template <class Visit>
   void visit_meeting(const BallSet &balls, const exact::LatticeBall &a, const exact::LatticeBall &b,
                      Visit visit) const {
-    const int64_t reach = (a.radius > b.radius ? a.radius : b.radius) + side_ / 2;
-    const auto low = [reach](int64_t p, int64_t q) { return (p < q ? p : q) - reach; };
-    const auto high = [reach](int64_t p, int64_t q) { return (p > q ? p : q) + reach; };
+    const auto low = [](int64_t p, int64_t q) { return p < q ? p : q; };
+    const auto high = [](int64_t p, int64_t q) { return p > q ? p : q; };
     const exact::Vector &p = a.centre, &q = b.centre;
-    visit_box({low(p.x, q.x), low(p.y, q.y), low(p.z, q.z)}, {high(p.x, q.x), high(p.y, q.y), high(p.z, q.z)},
-              [&](uint32_t j) {
-                if (is_met(balls, a, j)) {
-                  visit(j, true);
-                } else if (is_met(balls, b, j)) {
-                  visit(j, false);
-                }
-              });
+    visit_near({low(p.x, q.x), low(p.y, q.y), low(p.z, q.z)}, {high(p.x, q.x), high(p.y, q.y), high(p.z, q.z)},
+               high(a.radius, b.radius), [&](uint32_t j) {
+                 if (is_met(balls, a, j)) {
+                   visit(j, true);
+                 } else if (is_met(balls, b, j)) {
+                   visit(j, false);
+                 }
+               });
   }
 
   // Whether ball j meets or touches the given one.
@@ -88,6 +83,41 @@ class BallCells {
   }
 
  private:
+  // Sizes of cubes: 0 those as wide as the largest ball, 1 small ones. Small cubes are counted from here on along x, so
+  // that no cube of another size has their coordinates.
+  static constexpr uint32_t sizes = 2;
+  static constexpr int64_t first_small = INT64_C(1) << 60;
+
+  uint32_t size_of(int64_t radius) const { return has_small_cubes() && 2 * radius <= side_[1] ? 1 : 0; }
+  static uint32_t size_of(const CubeCoordinates &cube) { return cube.x >= first_small / 2 ? 1 : 0; }
+  CubeCoordinates cube_at(uint32_t size, const exact::Vector &point) const {
+    CubeCoordinates cube = CubeAxis(side_[size]).cube_at(point);
+    if (size != 0) cube.x += first_small;
+    return cube;
+  }
+  template <class Visit>
+  void visit_size(uint32_t size, const exact::Vector &low, const exact::Vector &high, int64_t around,
+                  Visit visit) const {
+    const CubeCoordinates first = cube_at(size, {low.x - around, low.y - around, low.z - around}),
+                          last = cube_at(size, {high.x + around, high.y + around, high.z + around});
+    const double cubes = static_cast<double>(last.x - first.x + 1) * static_cast<double>(last.y - first.y + 1) *
+                         static_cast<double>(last.z - first.z + 1);
+    if (cubes > static_cast<double>(balls_)) {
+      for (uint32_t ball = 0; ball < balls_; ++ball) {
+        if (is_there(ball) && size_of(cube_[ball]) == size) visit(ball);
+      }
+      return;
+    }
+    const uint64_t along_x = linear_hash({1, 0, 0});
+    for (int64_t z = first.z; z <= last.z; ++z) {
+      for (int64_t y = first.y; y <= last.y; ++y) {
+        uint64_t linear = linear_hash({first.x, y, z});
+        for (int64_t x = first.x; x <= last.x; ++x, linear += along_x) {
+          for (uint32_t ball = first_in({x, y, z}, linear); ball != no_id; ball = next_[ball]) visit(ball);
+        }
+      }
+    }
+  }
   uint32_t bucket_of(uint64_t linear) const { return CubeProbe(linear, used_).slot; }
   uint32_t first_in(const CubeCoordinates &cube, uint64_t linear) const {
     uint32_t ball = first_[bucket_of(linear)];
@@ -103,7 +133,8 @@ class BallCells {
   Span<CubeCoordinates> cube_;
   uint32_t used_ = 1;
   uint32_t balls_ = 0;
-  int64_t side_ = 1;
+  uint32_t count_[sizes] = {};    // how many balls there are
+  int64_t side_[sizes] = {1, 0};  // 0: there are no small cubes
 };
 
 }  // namespace hsp

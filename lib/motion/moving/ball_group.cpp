@@ -65,14 +65,16 @@ Status BallGroup::compute_chosen(MovingRecords &records, const BallCells &cells,
   return status;
 }
 
-// Takes balls of the journal from `first` on into near_, as long as they are close together. Returns their number.
+// Takes balls of the journal from `first` on into near_, as long as they are close together and in cubes of one size.
+// Returns their number.
 uint32_t BallGroup::choose(const MovingRecords &records, const BallCells &cells, uint32_t first, uint32_t last) {
   const BallSet &balls = records.balls;
-  const int64_t most = most_sides * cells.side();
+  const int64_t side = cells.side_for(balls.ball(records.entry(first).ball).radius), most = most_sides * side;
   uint32_t count = 0;
   for (uint32_t k = first; k < last && count < most_in_group; ++k) {
     const uint32_t i = records.entry(k).ball;
     const exact::LatticeBall ball = balls.ball(i);
+    if (cells.side_for(ball.radius) != side) break;
     const exact::Vector &c = ball.centre;
     exact::Vector low = count == 0 ? c : low_, high = count == 0 ? c : high_;
     stretch(c.x, low.x, high.x);
@@ -99,25 +101,24 @@ void BallGroup::gather_around(const MovingRecords &records, const BallCells &cel
     const double dx = set.x[i] - x, dy = set.y[i] - y, dz = set.z[i] - z;
     return dx * dx + dy * dy + dz * dz;
   };
-  double reach = 0.0, largest = 0.0;
+  double reach = 0.0;
+  int64_t largest = 0;
   for (uint32_t k = 0; k < count; ++k) {
     in_group_[near_ball_[k]] = 1;
     const double own = std::sqrt(squared_distance(near_, k)) + near_.r[k];
     reach = own > reach ? own : reach;
-    largest = near_.r[k] > largest ? near_.r[k] : largest;
+    const int64_t radius = near_.ball(k).radius;
+    largest = radius > largest ? radius : largest;
   }
   // Above all rounding errors.
   reach = reach * (1.0 + 0x1p-40) + 1.0;
   uint32_t n = count;
-  const int64_t around = static_cast<int64_t>(largest) + cells.side() / 2;
-  cells.visit_box({low_.x - around, low_.y - around, low_.z - around},
-                  {high_.x + around, high_.y + around, high_.z + around}, [&](uint32_t j) {
-                    const double sum = reach + balls.r[j];
-                    // No branch, as whether this ball is taken is hard to predict.
-                    near_ball_[n] = j;
-                    n += static_cast<uint32_t>(squared_distance(balls, j) <= sum * sum) &
-                         static_cast<uint32_t>(in_group_[j] == 0);
-                  });
+  cells.visit_near(low_, high_, largest, [&](uint32_t j) {
+    const double sum = reach + balls.r[j];
+    // No branch, as whether this ball is taken is hard to predict.
+    near_ball_[n] = j;
+    n += static_cast<uint32_t>(squared_distance(balls, j) <= sum * sum) & static_cast<uint32_t>(in_group_[j] == 0);
+  });
   for (uint32_t k = count; k < n; ++k) {
     const uint32_t j = near_ball_[k];
     near_.store(k, balls.ball(j));

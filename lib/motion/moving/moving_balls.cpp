@@ -18,6 +18,16 @@ void count_ball(const MovingBall &ball, bool is_origin, bool add, MovingCounts &
   change(counts.faces, uint64_t{ball.faces});
 }
 
+// The largest of the radii for which the cubes of all balls are far too large; 0 if there are none: twice the mean.
+int64_t largest_small_radius(const CubeGrid &grid) {
+  if (grid.levels() == nullptr) return 0;
+  const BallSet &balls = grid.balls();
+  double sum = 0.0;
+  for (uint32_t i = 0; i < balls.n; ++i) sum += balls.r[i];
+  const auto radius = static_cast<int64_t>(2.0 * sum / balls.n);
+  return 4 * radius <= grid.side() ? radius : 0;
+}
+
 }  // namespace
 
 void MovingBalls::carve(Workspace &workspace, const MovingLimits &limits) {
@@ -49,7 +59,7 @@ Status MovingBalls::set(const CubeGrid &grid, const EnergyTerms &terms, Patience
   balls.lattice = given.lattice;
   balls.probe_steps = given.probe_steps;
   group_.clear(given.lattice, n);
-  cells_.clear(n, grid.side());
+  cells_.clear(n, grid.side(), largest_small_radius(grid));
   components_.clear(n);
   sums_.resize(n);
   tension_ = terms.tension;
@@ -62,14 +72,14 @@ Status MovingBalls::set(const CubeGrid &grid, const EnergyTerms &terms, Patience
     balls.store(i, ball);
     slot_[ball.index] = i;
     if (weighted_) weight_[ball.index] = terms.weights.weight[ball.index];
-    cells_.insert(i, ball.centre);
+    cells_.insert(i, ball);
     MovingBall own{};
     own.origin = own.next = own.previous = i;
     records_.ball[i] = own;
     records_.parent[i] = no_id;
-    records_.note_moved(i);
     count_ball(own, true, true, counts_);
   }
+  note_all();
   components_.span(records_, cells_, patience);
   const Status status = update(n, patience);
   needed_.balls = n;
@@ -77,6 +87,17 @@ Status MovingBalls::set(const CubeGrid &grid, const EnergyTerms &terms, Patience
   records_.begin();
   changed_count_ = 0;
   return Status::ok;
+}
+
+// Notes all balls so that those close together follow each other: in grid order, or by their small cubes.
+void MovingBalls::note_all() {
+  for (uint32_t i = 0; i < size(); ++i) {
+    if (!cells_.has_small_cubes()) {
+      records_.note_moved(i);
+    } else if (!records_.is_noted(i)) {
+      cells_.visit_cube_of(i, [this](uint32_t j) { records_.note_moved(j); });
+    }
+  }
 }
 
 // Forgets all balls, and returns the status.
@@ -157,7 +178,7 @@ Status MovingBalls::round_move(const BallMoves &moves, uint32_t k) {
 void MovingBalls::place_again(uint32_t i, const exact::LatticeBall &ball) {
   cells_.remove(i);
   records_.balls.store(i, ball);
-  cells_.insert(i, ball.centre);
+  cells_.insert(i, ball);
 }
 
 // Notes the balls that those noted meet at their old places; moves the balls; and notes the balls that these meet at
@@ -177,7 +198,8 @@ uint32_t MovingBalls::place_one(uint32_t caller) {
   const uint32_t i = slot_[caller];
   const exact::LatticeBall before = records_.balls.ball(i);
   const exact::Vector &p = before.centre, &q = new_ball_[0].centre;
-  const auto is_near = [this](int64_t a, int64_t b) { return a - b < cells_.side() && b - a < cells_.side(); };
+  const int64_t side = cells_.side_for(new_ball_[0].radius);
+  const auto is_near = [side](int64_t a, int64_t b) { return a - b < side && b - a < side; };
   if (records_.noted() == 0 || !is_near(p.x, q.x) || !is_near(p.y, q.y) || !is_near(p.z, q.z))
     return place_all({1, &caller, nullptr, nullptr});
   const Span<uint32_t> later = group_.scratch();

@@ -89,6 +89,7 @@ class MovingBalls : public Limited<MovingLimits> {
  private:
   using Sums = SumTree<4>;
 
+  void note_all();
   Status forget(Status status);
   Status stage(const BallMoves &moves, uint32_t &first_bad);
   Status round_move(const BallMoves &moves, uint32_t k);

@@ -69,6 +69,33 @@ TEST(MovingBalls, OfAChainThatBreaks) {
   EXPECT_EQ(moved.moving().counts().components, 1U);
 }
 
+// Small balls beside one far larger are in cubes of their own. They grow, and shrink again, and the large one moves.
+TEST(MovingBalls, BesideALargeBall) {
+  oracle::RandomSource random(9);
+  support::BallList balls;
+  const auto place = [&] { return 600.0 * random.fraction(); };
+  balls.add(300, 300, 300, 200);
+  for (int k = 0; k < 1500; ++k) balls.add(place(), place(), place(), 10 * random.fraction());
+  MovedUnion moved(balls, 200.0, 1501);
+  ASSERT_EQ(moved.status(), Status::ok);
+  ASSERT_EQ(moved.complaint(), "");
+  for (int k = 0; k < oracle::sets(30); ++k) {
+    std::vector<uint32_t> ids;
+    support::BallList to;
+    for (uint32_t count = 1 + random.below(3); ids.size() < count;) {
+      const uint32_t i = random.one_in(8) ? 0 : random.below(balls.size());
+      if (std::find(ids.begin(), ids.end(), i) != ids.end()) continue;
+      ids.push_back(i);
+      to.add(place(), place(), place(), random.one_in(6) ? 200 * random.fraction() : 10 * random.fraction());
+    }
+    ASSERT_EQ(moved.move(ids, to), Status::ok);
+    ASSERT_EQ(moved.complaint(), "") << k;
+    if (k % 3 != 0) continue;
+    ASSERT_EQ(moved.undo(), Status::ok);
+    ASSERT_EQ(moved.complaint(), "") << k;
+  }
+}
+
 // Everything but the balls themselves is known of few or none.
 TEST(MovingBalls, FewOrNone) {
   MovedUnion none(support::BallList{}, 1.0, 1);
