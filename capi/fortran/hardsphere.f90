@@ -5160,7 +5160,7 @@ contains
     bytes = 24576_c_size_t + 128_c_size_t*int(cubes, c_size_t) + 8_c_size_t*int(entries, c_size_t) &
       + 28_c_size_t*int(cells, c_size_t) + 16_c_size_t*int(adjacencies, c_size_t) &
       + 12_c_size_t*int(landmarks, c_size_t) + 72_c_size_t*int(facets, c_size_t) + 48_c_size_t*int(corners, c_size_t) &
-      + 1536_c_size_t*int(cube_balls, c_size_t) + 64_c_size_t*int(cube_corners, c_size_t)
+      + 1600_c_size_t*int(cube_balls, c_size_t) + 64_c_size_t*int(cube_corners, c_size_t)
   end function
 
   ! ---- paths.h: how a probe gets from one point to another (Section 2) -----------------------------------------------
@@ -5174,7 +5174,7 @@ contains
     bytes = 32768_c_size_t + 128_c_size_t*int(cubes, c_size_t) + 8_c_size_t*int(entries, c_size_t) &
       + 136_c_size_t*int(cells, c_size_t) + 48_c_size_t*int(adjacencies, c_size_t) &
       + 12_c_size_t*int(landmarks, c_size_t) + 72_c_size_t*int(facets, c_size_t) + 48_c_size_t*int(corners, c_size_t) &
-      + 2176_c_size_t*int(cube_balls, c_size_t) + 64_c_size_t*int(cube_corners, c_size_t) &
+      + 2304_c_size_t*int(cube_balls, c_size_t) + 64_c_size_t*int(cube_corners, c_size_t) &
       + 24_c_size_t*int(points, c_size_t)
   end function
 

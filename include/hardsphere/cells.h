@@ -69,7 +69,7 @@ HSP_API int32_t HSP_CALL hsp_cells_bytes(const hsp_cells_limits *limits, size_t 
 #define HSP_CELLS_BYTES(cubes, entries, cells, adjacencies, landmarks, facets, corners, cube_balls, cube_corners) \
   ((size_t)24576 + (size_t)128 * (size_t)(cubes) + (size_t)8 * (size_t)(entries) + (size_t)28 * (size_t)(cells) + \
    (size_t)16 * (size_t)(adjacencies) + (size_t)12 * (size_t)(landmarks) + (size_t)72 * (size_t)(facets) +        \
-   (size_t)48 * (size_t)(corners) + (size_t)1536 * (size_t)(cube_balls) + (size_t)64 * (size_t)(cube_corners))
+   (size_t)48 * (size_t)(corners) + (size_t)1600 * (size_t)(cube_balls) + (size_t)64 * (size_t)(cube_corners))
 
 /** Make cells without results in caller memory of any alignment; sets *cells.
  *  @retval HSP_E_ARGUMENT  a null pointer

@@ -65,7 +65,7 @@ HSP_API int32_t HSP_CALL hsp_paths_bytes(const hsp_paths_limits *limits, size_t 
                         points)                                                                                    \
   ((size_t)32768 + (size_t)128 * (size_t)(cubes) + (size_t)8 * (size_t)(entries) + (size_t)136 * (size_t)(cells) + \
    (size_t)48 * (size_t)(adjacencies) + (size_t)12 * (size_t)(landmarks) + (size_t)72 * (size_t)(facets) +         \
-   (size_t)48 * (size_t)(corners) + (size_t)2176 * (size_t)(cube_balls) + (size_t)64 * (size_t)(cube_corners) +    \
+   (size_t)48 * (size_t)(corners) + (size_t)2304 * (size_t)(cube_balls) + (size_t)64 * (size_t)(cube_corners) +    \
    (size_t)24 * (size_t)(points))
 
 /** Make paths without results in caller memory of any alignment; sets *paths.

@@ -12,6 +12,7 @@ hsp_part(space
     cells/facet_parts.cpp
     cells/free_space_builder.cpp
     cells/free_space_check.cpp
+    cells/member_blocks.cpp
     cells/power_cell.cpp
     cells/power_cell.kernel.cpp
     cells/power_polytope.cpp

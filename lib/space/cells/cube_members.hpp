@@ -17,6 +17,10 @@ struct MemberArrays {
   const double *x, *y, *z, *radius, *power, *not_discarded;
   uint32_t count;
 };
+// The same of one ball.
+struct MemberBall {
+  double x, y, z, radius, power;
+};
 // The radical planes v.y = h of a ball and all others. distance: the square of the plane's distance from the ball's
 // centre, with a sign: negative if the centre is beyond the plane. It is infinite for planes that do not count any
 // more, and behind the last one, where there is room up to a multiple of eight.
@@ -35,10 +39,12 @@ struct PlaneOrder {
   uint32_t next, count;
 };
 
-HSP_KERNEL(void, find_planes, (const MemberArrays &members, uint32_t own, double limit, const PlaneArrays &planes),
+HSP_KERNEL(void, find_planes,
+           (const MemberArrays &members, const MemberBall &own, double limit, const PlaneArrays &planes),
            (members, own, limit, planes))
 HSP_KERNEL(bool, is_before_all,
-           (const MemberArrays &members, uint32_t own, const Vec3 &point, double error, const double *distance),
+           (const MemberArrays &members, const MemberBall &own, const Vec3 &point, double error,
+            const double *distance),
            (members, own, point, error, distance))
 HSP_KERNEL(uint64_t, find_dominance,
            (const MemberArrays &members, uint32_t a, uint32_t first, double side, double error),
@@ -72,15 +78,15 @@ inline void order_planes(const PlaneArrays &planes, uint32_t count) {
   }
 }
 
-// Finds the planes between a ball and all others, as CubeFrame::between() does. If the square of a distance is larger
-// than the limit, or if the other ball is discarded or the same, the distance is set to infinity, and the rest is
-// undefined.
+// Finds the planes between a ball and these, as CubeFrame::between() does. If the square of a distance is larger than
+// the limit, or if the other ball is discarded or the same, the distance is set to infinity, and the rest is undefined.
 template <uint32_t n>
-inline void find_planes_in_lanes(const MemberArrays &members, uint32_t own, double limit, const PlaneArrays &planes) {
+inline void find_planes_in_lanes(const MemberArrays &members, const MemberBall &own, double limit,
+                                 const PlaneArrays &planes) {
   using L = Wide<double, n>;
   using Real = typename L::Real;
-  const Real x = L::all(members.x[own]), y = L::all(members.y[own]), z = L::all(members.z[own]);
-  const Real radius = L::all(members.radius[own]), most = L::all(limit);
+  const Real x = L::all(own.x), y = L::all(own.y), z = L::all(own.z);
+  const Real radius = L::all(own.radius), most = L::all(limit);
   const Real zero = L::all(0.0), one = L::all(1.0), never = L::all(done_with);
   for (uint32_t first = 0; first < (members.count + 7) / 8 * 8; first += n) {
     const Real far_x = L::load(members.x + first), far_y = L::load(members.y + first);
@@ -103,15 +109,15 @@ inline void find_planes_in_lanes(const MemberArrays &members, uint32_t own, doub
   order_planes<n>(planes, members.count);
 }
 
-// Whether a point, as a position of cube_frame.hpp, has less power to a ball than to all others whose planes are not
+// Whether a point, as a position of cube_frame.hpp, has less power to a ball than to all of these whose planes are not
 // done with, by more than an error. The value of a plane is the one of PowerCell::drop_dominated().
 template <uint32_t n>
-inline bool is_before_all_in_lanes(const MemberArrays &members, uint32_t own, const Vec3 &point, double error,
+inline bool is_before_all_in_lanes(const MemberArrays &members, const MemberBall &own, const Vec3 &point, double error,
                                    const double *distance) {
   using L = Wide<double, n>;
   using Real = typename L::Real;
-  const Real x = L::all(members.x[own]), y = L::all(members.y[own]), z = L::all(members.z[own]);
-  const Real power = L::all(members.power[own]), least = L::all(error);
+  const Real x = L::all(own.x), y = L::all(own.y), z = L::all(own.z);
+  const Real power = L::all(own.power), least = L::all(error);
   const Real never = L::all(done_with);
   const Real at_x = L::all(point.x), at_y = L::all(point.y), at_z = L::all(point.z);
   for (uint32_t first = 0; first < members.count; first += n) {

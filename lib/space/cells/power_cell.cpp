@@ -9,15 +9,16 @@ namespace hsp {
 
 void PowerCell::carve(Workspace &workspace, uint32_t balls) {
   polytope_.carve(workspace, balls);
-  const auto take_numbers = [&] {
-    const Span<double> numbers = workspace.take<double>(static_cast<uint64_t>(balls) + 7);
+  const auto take_numbers = [&](uint64_t count) {
+    const Span<double> numbers = workspace.take<double>(count + 7);
     for (double &number : numbers) number = 0.0;  // eight are read at once, some of them behind the last ball
     return numbers;
   };
-  for (Span<double> *numbers : {&x_, &y_, &z_, &radius_, &power_, &in_game_}) *numbers = take_numbers();
+  for (Span<double> *numbers : {&x_, &y_, &z_, &radius_, &power_, &in_game_}) *numbers = take_numbers(balls);
   for (double **numbers : {&of_planes_.x, &of_planes_.y, &of_planes_.z, &of_planes_.h, &of_planes_.distance}) {
-    *numbers = take_numbers().data();
+    *numbers = take_numbers(MemberBlocks::places_for(balls)).data();
   }
+  blocks_.carve(workspace, balls);
   order_ = workspace.take<PlaneOrder>(1);
   const uint64_t planes = PowerPolytope::most_planes(balls), vertices = PowerPolytope::most_vertices(balls);
   workspace.take_each(planes, planes_, codes_, first_free_);
@@ -52,6 +53,7 @@ void PowerCell::enter(const BallSet &balls, const CubeFrame &frame, Span<const u
     codes_[cube_sides + k] = cube_sides + members[k];
   }
   for (uint32_t k = members.size(); k < members.size() + 7; ++k) in_game_[k] = 0.0;
+  blocks_.enter(numbers(), frame.side());
 }
 
 // Calls the kernel find_dominance().
@@ -81,13 +83,15 @@ void PowerCell::drop_dominated() {
 }
 
 // Finds the planes of all members that are not discarded and that are as near to the ball's centre as some point of the
-// cube.
+// cube; in blocks, some at a time when they are put in order.
 void PowerCell::find_member_planes() {
   const double side = frame_.side();
   const Vec3 corner{side + std::fabs(centre_.x), side + std::fabs(centre_.y), side + std::fabs(centre_.z)};
   const double reach = std::sqrt(dot(corner, corner)) + 2 * frame_.plane_error();
-  find_planes(target_, numbers(), member_, reach * reach, of_planes_);
   planes_at_once_ = 0;
+  if (!blocks_.is_there()) return find_planes(target_, numbers(), own(), reach * reach, of_planes_);
+  blocks_.begin(own(), reach * reach);
+  order_[0] = {0, 0};
 }
 
 // Puts some of many planes in order, the nearest ones, of which most cells need few; each time four times as many.
@@ -100,18 +104,23 @@ bool PowerCell::order_next_planes() {
   } else if (planes_at_once_ < members) {
     planes_at_once_ *= 4;
   }
-  // About so many are as near as the nearest of every so many.
-  double most = done_with;
-  for (uint32_t m = 0; m < members; m += planes_at_once_) most = distance[m] < most ? distance[m] : most;
   PlaneOrder &order = order_[0];
-  order.next = order.count = 0;
-  for (uint32_t m = 0; m < members; ++m) {
-    of_planes_.nearest[order.count] = m;
-    order.count += distance[m] <= most && distance[m] < done_with ? 1U : 0U;
-  }
+  do {
+    const uint32_t planes = blocks_.is_there() ? blocks_.known() : members;
+    // About so many are as near as the nearest of every so many. Planes of blocks may come before those known.
+    double most = blocks_.is_there() ? blocks_.nearest_unknown() : done_with;
+    for (uint32_t p = 0; p < planes; p += planes_at_once_) most = distance[p] < most ? distance[p] : most;
+    order.next = order.count = 0;
+    for (uint32_t p = 0; p < planes; ++p) {
+      of_planes_.nearest[order.count] = p;
+      order.count += distance[p] <= most && distance[p] < done_with ? 1U : 0U;
+    }
+  } while (order.count == 0 && blocks_.is_there() && blocks_.find_more(target_, of_planes_));
   sort_by_number(
-      Span<uint32_t>(of_planes_.nearest, order.count), waiting_, [distance](uint32_t m) { return distance[m]; },
-      [distance](uint32_t a, uint32_t b) { return distance[a] != distance[b] ? distance[a] < distance[b] : a < b; });
+      Span<uint32_t>(of_planes_.nearest, order.count), waiting_, [distance](uint32_t p) { return distance[p]; },
+      [this, distance](uint32_t p, uint32_t q) {
+        return distance[p] != distance[q] ? distance[p] < distance[q] : member_of_plane(p) < member_of_plane(q);
+      });
   return order.count > 0;
 }
 
@@ -125,7 +134,11 @@ uint32_t PowerCell::find_next_cut(const CutMargins &margins) {
 bool PowerCell::has_certain_point() const {
   const double side = frame_.side();
   const double error = (8 * polytope_.most_error() + 512 * unit_roundoff * side) * side;
-  return is_before_all(target_, numbers(), member_, polytope_.middle(), error, of_planes_.distance);
+  const Vec3 middle = polytope_.middle();
+  if (!blocks_.is_there()) return is_before_all(target_, numbers(), own(), middle, error, of_planes_.distance);
+  const Vec3 way = middle - centre_;
+  return dot(way, way) * (1.0 + 0x1p-20) + error < blocks_.nearest_unknown() &&
+         blocks_.is_before_known(target_, middle, error, of_planes_.distance);
 }
 
 // Cuts the power cell out of the cube. The nearest planes come first, as they cut most; when the next one is farther
@@ -143,16 +156,16 @@ void PowerCell::cut_out(uint32_t k, bool unless_covered) {
     const double error = polytope_.most_error();
     const double reach_error = error + 2 * plane_error;
     // No distance in the cube is larger than 6 sides.
-    const uint32_t m = find_next_cut({error + plane_error, (2 * six_sides + reach_error) * reach_error, covered});
-    if (m == none_cuts || (m == wants_more && !order_next_planes())) return;
-    if (m == wants_more) continue;
-    if (m == is_covered) {
+    const uint32_t p = find_next_cut({error + plane_error, (2 * six_sides + reach_error) * reach_error, covered});
+    if (p == none_cuts || (p == wants_more && !order_next_planes())) return;
+    if (p == wants_more) continue;
+    if (p == is_covered) {
       if (has_certain_point()) return;
       covered = -1.0;
       continue;
     }
-    const uint32_t number = cube_sides + m;
-    const UnitPlane S{{of_planes_.x[m], of_planes_.y[m], of_planes_.z[m]}, of_planes_.h[m]};
+    const uint32_t m = member_of_plane(p), number = cube_sides + m;
+    const UnitPlane S{{of_planes_.x[p], of_planes_.y[p], of_planes_.z[p]}, of_planes_.h[p]};
     planes_[number] = S;
     const CutOff beyond = polytope_.decide_sides(S, frame_, [&](const PolytopeVertex &vertex) {
       return PowerPredicates(*balls_, ball(), frame_)

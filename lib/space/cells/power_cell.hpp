@@ -9,6 +9,7 @@
 #pragma once
 
 #include "cells/cube_members.hpp"
+#include "cells/member_blocks.hpp"
 #include "cells/power_polytope.hpp"
 #include "cells/power_predicates.hpp"
 #include "cells/vertex_edges.hpp"
@@ -66,9 +67,15 @@ class PowerCell {
   MemberArrays numbers() const {
     return {x_.data(), y_.data(), z_.data(), radius_.data(), power_.data(), in_game_.data(), members_.size()};
   }
+  MemberBall own() const { return {x_[member_], y_[member_], z_[member_], radius_[member_], power_[member_]}; }
   bool is_in_game(uint32_t m) const { return in_game_[m] > 0.0; }
-  void take_out_of_game(uint32_t m) { in_game_[m] = 0.0; }
+  void take_out_of_game(uint32_t m) {
+    in_game_[m] = 0.0;
+    if (blocks_.is_there()) blocks_.discard(m);
+  }
   uint64_t dominance(uint32_t a, uint32_t first, double error) const;
+  // The member whose plane is number p of of_planes_.
+  uint32_t member_of_plane(uint32_t p) const { return blocks_.is_there() ? blocks_.member_at(p) : p; }
   void cut_out(uint32_t k, bool unless_covered);
   void find_member_planes();
   bool order_next_planes();
@@ -94,7 +101,8 @@ class PowerCell {
   Vec3 centre_{};
   PowerPolytope polytope_;
   Span<double> x_, y_, z_, radius_, power_, in_game_;  // [members + 7] as MemberArrays has them
-  PlaneArrays of_planes_{};                            // [members + 7]
+  MemberBlocks blocks_;                                // of many members
+  PlaneArrays of_planes_{};                            // [members + 7] or, of blocks, [places]
   Span<PlaneOrder> order_;                             // [1]
   Span<UnitPlane> planes_;                             // [sides + members]
   Span<uint32_t> codes_, first_free_;                  // [sides + members] the latter of_planes_.nearest, too

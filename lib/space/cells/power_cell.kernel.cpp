@@ -29,11 +29,12 @@ void cross_edges(const VertexArrays &of, const CrossedEdge *edges, const uint32_
   cross_edges_in_lanes<register_lanes>(of, edges, to, count, bounds);
 }
 
-void find_planes(const MemberArrays &members, uint32_t own, double limit, const PlaneArrays &planes) {
+void find_planes(const MemberArrays &members, const MemberBall &own, double limit, const PlaneArrays &planes) {
   find_planes_in_lanes<register_lanes>(members, own, limit, planes);
 }
 
-bool is_before_all(const MemberArrays &members, uint32_t own, const Vec3 &point, double error, const double *distance) {
+bool is_before_all(const MemberArrays &members, const MemberBall &own, const Vec3 &point, double error,
+                   const double *distance) {
   return is_before_all_in_lanes<register_lanes>(members, own, point, error, distance);
 }
 

@@ -383,6 +383,7 @@ TEST(WideCells, FindPlanesAndDominance) {
     for (uint32_t k = 0; k < count + 7; ++k) not_discarded.data()[k] = k < count && !random.one_in(4) ? 1 : 0;
     const MemberArrays members{x.data(), y.data(), z.data(), radius.data(), power.data(), not_discarded.data(), count};
     const uint32_t own = static_cast<uint32_t>(random.in(0, count - 1));
+    const hsp::MemberBall own_ball{x[own], y[own], z[own], radius[own], power[own]};
     const double limit = static_cast<double>(random.in(-4, 60)) / 8;
     const auto centre = [&](uint32_t k) { return hsp::Vec3{x[k], y[k], z[k]}; };
     // Its distance, infinite if it does not count, and its plane.
@@ -416,9 +417,9 @@ TEST(WideCells, FindPlanesAndDominance) {
                        [&](uint32_t a, uint32_t b) { return expected[a].first < expected[b].first; });
       ASSERT_TRUE(std::equal(sorted.begin(), sorted.end(), nearest));
     };
-    hsp::find_planes_in_lanes<1>(members, own, limit, planes);
+    hsp::find_planes_in_lanes<1>(members, own_ball, limit, planes);
     ASSERT_NO_FATAL_FAILURE(check());
-    hsp::find_planes_in_lanes<2>(members, own, limit, planes);
+    hsp::find_planes_in_lanes<2>(members, own_ball, limit, planes);
     ASSERT_NO_FATAL_FAILURE(check());
 
     const hsp::Vec3 point = 0.25 * centre(static_cast<uint32_t>(random.in(0, count - 1)));
@@ -430,8 +431,8 @@ TEST(WideCells, FindPlanesAndDominance) {
     }
     ++(is_before ? before : not_before);
     for (uint32_t k = count; k < count + 7; ++k) pd.data()[k] = hsp::done_with;
-    EXPECT_EQ(hsp::is_before_all_in_lanes<1>(members, own, point, least, pd.data()), is_before);
-    EXPECT_EQ(hsp::is_before_all_in_lanes<2>(members, own, point, least, pd.data()), is_before);
+    EXPECT_EQ(hsp::is_before_all_in_lanes<1>(members, own_ball, point, least, pd.data()), is_before);
+    EXPECT_EQ(hsp::is_before_all_in_lanes<2>(members, own_ball, point, least, pd.data()), is_before);
 
     const uint32_t first = static_cast<uint32_t>(random.in(0, count - 1));
     const double side = static_cast<double>(random.in(1, 8)), error = static_cast<double>(random.in(0, 2)) / 8;
@@ -445,9 +446,9 @@ TEST(WideCells, FindPlanesAndDominance) {
     EXPECT_EQ(hsp::find_dominance_in_lanes<1>(members, own, first, side, error), dominance);
     EXPECT_EQ(hsp::find_dominance_in_lanes<2>(members, own, first, side, error), dominance);
     for (const hsp::Target target : runnable_targets()) {
-      hsp::find_planes(target, members, own, limit, planes);
+      hsp::find_planes(target, members, own_ball, limit, planes);
       ASSERT_NO_FATAL_FAILURE(check());
-      EXPECT_EQ(hsp::is_before_all(target, members, own, point, least, pd.data()), is_before);
+      EXPECT_EQ(hsp::is_before_all(target, members, own_ball, point, least, pd.data()), is_before);
       EXPECT_EQ(hsp::find_dominance(target, members, own, first, side, error), dominance);
     }
   }
