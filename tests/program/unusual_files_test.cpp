@@ -138,4 +138,46 @@ TEST(UnusualFiles, ExtendedXyzByItsName) {
   for (size_t k = 0; k < 9; ++k) EXPECT_EQ(found["box"].items.at(k).number, vectors[k]);
 }
 
+// Two chains whose names begin alike are two: atoms of the second are no other locations of the first one's.
+TEST(UnusualFiles, NamesOfChainsAreNotCut) {
+  const std::string head =
+      "data_a\nloop_\n_atom_site.type_symbol\n_atom_site.label_atom_id\n_atom_site.label_alt_id\n"
+      "_atom_site.label_comp_id\n_atom_site.auth_asym_id\n_atom_site.auth_seq_id\n_atom_site.Cartn_x\n"
+      "_atom_site.Cartn_y\n_atom_site.Cartn_z\n";
+  const TemporaryFile fits("fits.cif", head + "C CA A ALA LongChain_1 1 0 0 0\nC CA B ALA LongChain_2 1 9 0 0\n");
+  EXPECT_EQ(run_json({"measure", fits.path()})["n"].number, 2);
+  const TemporaryFile cif("long.cif", head + "C CA A ALA LongChain_of_1 1 0 0 0\nC CA B ALA LongChain_of_2 1 9 0 0\n");
+  EXPECT_EQ(refusal({"measure", cif.path()}),
+            "hardsphere: " + cif.path() + ":12: the chain's name 'LongChain_of_1' has more than 11 letters\n");
+  const TemporaryFile pqr("long.pqr", "ATOM 1 CA ALA LongChain_of_1 1 0 0 0 0 1\n");
+  EXPECT_EQ(refusal({"measure", pqr.path()}),
+            "hardsphere: " + pqr.path() + ":1: the chain's name 'LongChain_of_1' has more than 11 letters\n");
+}
+
+// Of a name that has no room, and of a long word in a message, whole characters are left.
+TEST(UnusualFiles, TextsAreCutBetweenCharacters) {
+  const std::string accents = "\u00e9\u00e9\u00e9\u00e9\u00e9";
+  const TemporaryFile cif("accents.cif",
+                          "data_a\nloop_\n_atom_site.type_symbol\n_atom_site.label_atom_id\n"
+                          "_atom_site.label_comp_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
+                          "C " +
+                              accents + " " + accents + " 0 0 0\n");
+  const std::string rows = run_program({"measure", cif.path(), "--per-ball", "--csv"}).out;
+  EXPECT_NE(rows.find("\n0,\u00e9\u00e9\u00e9,C,,\u00e9\u00e9\u00e9,"), std::string::npos) << rows;
+  const TemporaryFile latin("latin.cif",
+                            "data_a\nloop_\n_atom_site.type_symbol\n_atom_site.label_atom_id\n_atom_site.Cartn_x\n"
+                            "_atom_site.Cartn_y\n_atom_site.Cartn_z\nC C\xa9\xa9\xa9\xa9\xa9\xa9\xa9\xa9 0 0 0\n");
+  const std::string bytes = run_program({"measure", latin.path(), "--per-ball", "--csv"}).out;
+  EXPECT_NE(bytes.find("\n0,C\xa9\xa9\xa9\xa9\xa9\xa9,C,"), std::string::npos) << bytes;
+  std::string word = "x";
+  for (int k = 0; k < 30; ++k) word += "\u00e9";
+  for (const std::string before : {"", "x"}) {
+    const TemporaryFile xyz("word.xyz", "1\n\nC " + before + word + " 0 0\n");
+    const std::string said = refusal({"measure", xyz.path()});
+    const size_t cut = said.find("...'");
+    ASSERT_NE(cut, std::string::npos) << said;
+    EXPECT_EQ(said.substr(cut - 2, 2), "\u00e9") << said;
+  }
+}
+
 }  // namespace

@@ -1,4 +1,4 @@
-/* Character classes of ASCII, whatever the locale. */
+/* Character classes of ASCII, whatever the locale, and where characters of UTF-8 end. */
 #pragma once
 
 #include <stdbool.h>
@@ -30,4 +30,10 @@ static inline void to_capitals(char *out, size_t room, const char *text, size_t 
   size_t at = 0;
   for (; at < length && at + 1 < room; ++at) out[at] = to_upper(text[at]);
   out[at] = '\0';
+}
+/* How many bytes of a text that goes on behind `most` of them are whole characters, if it is UTF-8. */
+static inline size_t whole_characters(const char *text, size_t most) {
+  size_t length = most;
+  while (length > 0 && most - length < 3 && ((unsigned char)text[length] & 0xC0) == 0x80) --length;
+  return ((unsigned char)text[length] & 0xC0) == 0xC0 ? length : most;
 }

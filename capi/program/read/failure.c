@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "read/characters.h"
+
 /* Input may hold any bytes; text shown to a person must stay on its line. Bytes from 0x80 up pass: they are UTF-8. */
 static char printable(char c) {
   return ((unsigned char)c < 0x20 || c == 0x7F) ? '?' : c;
@@ -59,7 +61,7 @@ void failure_print(const struct failure *failure) {
 const char *excerpt(char out[EXCERPT_BYTES], const char *text, size_t length) {
   static const char more[] = "...";
   const size_t room = EXCERPT_BYTES - sizeof more;
-  const size_t shown = length <= room ? length : room;
+  const size_t shown = length <= room ? length : whole_characters(text, room);
   for (size_t i = 0; i < shown; ++i) out[i] = printable(text[i]);
   out[shown] = '\0';
   if (shown < length) memcpy(out + shown, more, sizeof more);

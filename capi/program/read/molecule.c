@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "hardsphere.h"
+#include "read/characters.h"
 #include "read/growing_array.h"
 #include "read/residue_kinds.h"
 #include "read/text_buffer.h"
@@ -122,6 +123,14 @@ bool chain_name_copy(struct residue_label *residue, uint64_t copy, struct failur
   memset(residue->chain, 0, sizeof residue->chain); /* labels have zeros behind their texts */
   memcpy(residue->chain, name, length);
   return true;
+}
+
+bool chain_name_fits(struct field name, uint64_t line, struct failure *failure) {
+  enum { MOST_LETTERS = sizeof residue_nameless.chain - 1 };
+  char shown[EXCERPT_BYTES];
+  return name.length <= MOST_LETTERS ||
+         failure_in_input(failure, line, "the chain's name '%s' has more than %d letters",
+                          excerpt(shown, name.text, name.length), (int)MOST_LETTERS);
 }
 
 bool chain_is_nameless(const char *chain) {
@@ -397,7 +406,7 @@ void molecule_free(struct molecule *molecule) {
 }
 
 void label_copy(char *out, size_t room, struct field text) {
-  const size_t length = text.length < room ? text.length : room - 1;
+  const size_t length = text.length < room ? text.length : whole_characters(text.text, room - 1);
   if (length > 0) memcpy(out, text.text, length); /* an empty field may have no text */
   out[length] = '\0';
 }

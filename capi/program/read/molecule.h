@@ -173,6 +173,10 @@ static inline bool molecule_wants_model(struct molecule *molecule, uint64_t mode
  * the second. False: the name has no room for that. */
 bool chain_name_copy(struct residue_label *residue, uint64_t copy, struct failure *failure);
 
+/* Whether a label has room for a chain's name: two that were cut would be one chain, and an atom of the one another
+ * location of an atom of the other. */
+bool chain_name_fits(struct field name, uint64_t line, struct failure *failure);
+
 /* Whether a chain has no name of its own; what copies and TER records add is not counted. */
 bool chain_is_nameless(const char *chain);
 
@@ -236,7 +240,7 @@ bool atom_is_hydrogen(const struct atom_label *label);
 
 void molecule_free(struct molecule *molecule);
 
-/* Copy a field into a label; the rest that has no room is cut off. */
+/* Copy a field into a label; the rest that has no room is cut off, between characters of UTF-8. */
 void label_copy(char *out, size_t room, struct field text);
 
 /* Whether z is 0 for all atoms from that one on, as in drawings and in files that never had coordinates. */

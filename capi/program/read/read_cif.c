@@ -78,11 +78,10 @@ static struct field name_of(const struct cif_row *row) {
 
 /* label_copy, by a word where the value stands in a line. */
 static void take_name(const struct cif_row *row, struct field name, struct atom_label *label) {
-  if (row->values == NULL || name.length == 0) {
+  if (row->values == NULL || name.length == 0 || name.length >= sizeof label->name) {
     label_copy(label->name, sizeof label->name, name);
   } else {
-    const size_t most = sizeof label->name - 1;
-    word_put(label->name, word_first(word_at(name.text), (unsigned)(name.length < most ? name.length : most)));
+    word_put(label->name, word_first(word_at(name.text), (unsigned)name.length));
   }
 }
 
@@ -92,6 +91,7 @@ static bool take_residue(const struct cif_row *row, struct molecule *molecule, s
   const struct field chain = by_label ? cif_row_either(row, CIF_LABEL_CHAIN, CIF_AUTH_CHAIN)
                                       : cif_row_either(row, CIF_AUTH_CHAIN, CIF_LABEL_CHAIN);
   const struct field asym = cif_row_get(row, CIF_LABEL_CHAIN);
+  if (!chain_name_fits(chain, row->line, failure)) return false;
   label_copy(residue->name, sizeof residue->name, cif_row_either(row, CIF_AUTH_RESIDUE, CIF_LABEL_RESIDUE));
   label_copy(residue->chain, sizeof residue->chain, chain);
   label_copy(residue->number, sizeof residue->number, cif_row_either(row, CIF_AUTH_NUMBER, CIF_LABEL_NUMBER));

@@ -124,6 +124,7 @@ static bool read_atom(const struct line_reader *reader, struct elements_seen *se
   struct residue_label residue = RESIDUE_LABEL_NONE;
   struct atom_label label = ATOM_LABEL_NONE;
   label.residue = &residue;
+  if (!chain_name_fits(record.chain, line, failure)) return false;
   label_copy(label.name, sizeof label.name, record.name);
   label_copy(residue.name, sizeof residue.name, record.residue);
   label_copy(residue.chain, sizeof residue.chain, record.chain);
