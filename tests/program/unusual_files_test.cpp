@@ -180,4 +180,36 @@ TEST(UnusualFiles, TextsAreCutBetweenCharacters) {
   }
 }
 
+// A number that is too long for its columns moves or loses what is behind it.
+TEST(UnusualFiles, NumbersThatRunOverTheirColumnsAreRefused) {
+  const std::string place = "    1.000   2.000";
+  for (const std::string z : {"12345.678", " 345.6789", "-345.6789"}) {
+    for (const std::string behind : {"", "  1.00  0.00           C"}) {
+      const TemporaryFile pdb("long.pdb", "ATOM      1  CA  ALA A   1   " + place + z + behind + "\n");
+      EXPECT_EQ(refusal({"measure", pdb.path()}),
+                "hardsphere: " + pdb.path() + ":1: z (columns 47-54) goes on in column 55\n");
+    }
+  }
+  const TemporaryFile full("full.pdb", "ATOM      1  CA  ALA A   1   " + place + "1345.678100.00  0.00           C\n");
+  EXPECT_EQ(run_json({"measure", full.path(), "--per-ball"})["balls"].items.at(0)["xyz"].items.at(2).number, 1345.678);
+  const std::string head = "t\n\n\n  1  0  0  0  0  0  0  0  0  0999 V2000\n    1.0000    2.0000";
+  for (const std::string z : {"    3.0000Si  0", "-12345.6789 Si  0", "    3.0000C   0"}) {
+    const TemporaryFile sdf("long.sdf", head + z + "  0\nM  END\n");
+    EXPECT_EQ(refusal({"measure", sdf.path()}),
+              "hardsphere: " + sdf.path() + ":5: column 31, between z and the symbol, is not blank\n");
+  }
+  const TemporaryFile wide("wide.sdf", head + "-1234.5678 Si  0  0\nM  END\n");
+  EXPECT_EQ(run_json({"measure", wide.path(), "--per-ball"})["balls"].items.at(0)["element"].text, "Si");
+}
+
+// Of the properties of extended XYZ species is the element, and Z only where there is none.
+TEST(UnusualFiles, SpeciesHavePrecedence) {
+  for (const std::string title : {"Z:I:1:species:S:1:pos:R:3", "species:S:1:Z:I:1:pos:R:3"}) {
+    const std::string atom = title[0] == 'Z' ? "2 Fe" : "Fe 2";
+    const TemporaryFile file("both.xyz", "1\nProperties=" + title + "\n" + atom + " 1 2 3\n");
+    const Json ball = run_json({"measure", file.path(), "--per-ball"})["balls"].items.at(0);
+    EXPECT_EQ(ball["element"].text, "Fe");
+  }
+}
+
 }  // namespace

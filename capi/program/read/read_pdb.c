@@ -96,6 +96,11 @@ static bool check_columns(const struct line_reader *reader, struct failure *fail
     return failure_in_input(failure, line, "short record: it ends in column %u, x y z need columns 31-54",
                             (unsigned)reader->length);
   }
+  /* A digit in column 55 that is no part of an occupancy is one of a z that is too long. */
+  if (is_digit(reader->text[LAST_COORDINATE_COLUMN - 1]) && is_digit(column(reader, LAST_COORDINATE_COLUMN + 1)) &&
+      column(reader, LAST_COORDINATE_COLUMN + 2) == ' ') {
+    return failure_in_input(failure, line, "z (columns 47-54) goes on in column 55");
+  }
   return true;
 }
 
@@ -221,7 +226,8 @@ static enum line_status read_plain_atom(const struct line_reader *reader, struct
   struct alternate_locations *const seen = &reading->seen;
   struct atom_label label = ATOM_LABEL_NONE;
   double xyz[3];
-  if (reader->length < 78 || text[16] != ' ' || !pdb_record_is_plain_atom(text, reader->length)) return LINE_END;
+  if (reader->length < 78 || text[16] != ' ' || text[54] != ' ' || !pdb_record_is_plain_atom(text, reader->length))
+    return LINE_END;
   if (has_tab(text + 6)) return LINE_END;
   for (size_t axis = 0; axis < 3; ++axis) {
     if (!word_number(word_at(text + 30 + 8 * axis), &xyz[axis])) return LINE_END;

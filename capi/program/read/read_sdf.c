@@ -12,7 +12,7 @@
 #include "read/text_buffer.h"
 #include "read/words.h"
 
-enum { HEADER_LINES = 3, MOST_COLUMNS = 8 };
+enum { HEADER_LINES = 3, MOST_COLUMNS = 8, BEFORE_SYMBOL = 30 };
 
 /* At the end of the file there is no line. */
 static bool is_end_of_record(const struct line_reader *reader) {
@@ -104,6 +104,9 @@ static bool read_columns(struct line_reader *reader, uint64_t atoms, uint64_t bo
     if (i >= atoms && !bonded) continue;
     struct field part[3];
     double xyz[3];
+    if (i < atoms && reader->length > BEFORE_SYMBOL && !is_blank(reader->text[BEFORE_SYMBOL])) {
+      return failure_in_input(failure, reader->number, "column 31, between z and the symbol, is not blank");
+    }
     const bool plain = i < atoms && plain_numbers(reader, xyz);
     for (size_t k = 0; k < 3 && !plain; ++k) {
       const size_t wide = i < atoms ? 10 : 3;

@@ -55,6 +55,7 @@ static bool columns_of_title(const struct line_reader *reader, struct columns *c
   if (!title_value(reader->text, "Properties", &value)) return true;
   if (title_value_split(value, &text, 1) > 1) return failure_in_input(failure, reader->number, "%s", form);
   bool element_seen = false;
+  bool species_seen = false;
   bool position_seen = false;
   for (size_t at = 0; text.length > 0;) {
     struct field name;
@@ -62,11 +63,14 @@ static bool columns_of_title(const struct line_reader *reader, struct columns *c
     if (!next_property(&text, &name, &count)) {
       return failure_in_input(failure, reader->number, "%s", form);
     }
-    if ((field_is(name, "SPECIES") || field_is(name, "Z")) && count == 1 && !element_seen) {
+    /* Beside a symbol Z may be anything, a charge for instance. */
+    const bool species = field_is(name, "SPECIES");
+    if (count == 1 && (species ? !species_seen : field_is(name, "Z") && !element_seen)) {
       columns->element = at;
       element_seen = true;
+      species_seen = species;
     }
-    if ((field_is(name, "POS") || field_is(name, "POSITIONS")) && count == 3) {
+    if ((field_is(name, "POS") || field_is(name, "POSITIONS")) && count == 3 && !position_seen) {
       columns->position = at;
       position_seen = true;
     }
