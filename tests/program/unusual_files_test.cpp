@@ -212,4 +212,15 @@ TEST(UnusualFiles, SpeciesHavePrecedence) {
   }
 }
 
+// Without the radius, or one coordinate, the chain is no residue number, and the number no coordinate.
+TEST(UnusualFiles, MissingFieldsOfPqr) {
+  for (const std::string values : {"11.000 22.000 33.000 0.3", "22.000 33.000 0.3 1.5"}) {
+    const TemporaryFile file("missing.pqr", "ATOM 1 N ALA A 1 " + values + "\n");
+    EXPECT_EQ(refusal({"measure", file.path()}),
+              "hardsphere: " + file.path() + ":1: 'A' stands where a residue number should; wrong number of fields?\n");
+  }
+  const TemporaryFile file("numbers.pqr", "ATOM 1 N ALA ABCD 1 2 3 0 1\nATOM 2 N ALA A A000 9 2 3 0 1\n");
+  EXPECT_EQ(run_json({"measure", file.path()})["n"].number, 2);
+}
+
 }  // namespace

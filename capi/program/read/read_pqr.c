@@ -29,6 +29,14 @@ static bool is_element(struct field field) {
   return element_symbol_parse(field.text, field.length, &symbol);
 }
 
+/* Where a field is missing, a chain or a coordinate stands in the place of the number. Four letters are one of
+ * "hybrid-36". */
+static bool is_residue_number(struct field field, struct field chain) {
+  size_t letters = 0;
+  while (letters < field.length && is_letter(field.text[letters])) ++letters;
+  return memchr(field.text, '.', field.length) == NULL && (chain.length > 0 || letters < field.length || letters == 4);
+}
+
 static bool record_of_fields(const struct line_reader *reader, struct record *record, struct failure *failure) {
   struct field part[MOST_FIELDS];
   size_t count = fields_split(reader->text, reader->length, part, MOST_FIELDS);
@@ -46,7 +54,7 @@ static bool record_of_fields(const struct line_reader *reader, struct record *re
   if (after_serial == 9) record->chain = part[first + 2];
   record->number = part[count - 6];
   for (size_t i = 0; i < 5; ++i) record->value[i] = part[count - 5 + i];
-  if (memchr(record->number.text, '.', record->number.length) != NULL) {
+  if (!is_residue_number(record->number, record->chain)) {
     char shown[EXCERPT_BYTES];
     return failure_in_input(failure, reader->number,
                             "'%s' stands where a residue number should; wrong number of fields?",
