@@ -17,7 +17,9 @@
  *                  another order. Region 0 is the outside
  *
  * All of this is decided in integers, as the boundary is; balls that touch count as meeting, so that nothing passes
- * between them. In a model with a probe the cells are the space where the probe's centre may be. */
+ * between them. A point with the same power to two balls belongs to the ball that comes first by (x, y, z, radius,
+ * index). So where such points fill a side of a cube they may be a cell of no thickness, between its neighbours on both
+ * sides. In a model with a probe the cells are the space where the probe's centre may be. */
 #ifndef HARDSPHERE_CELLS_H
 #define HARDSPHERE_CELLS_H
 

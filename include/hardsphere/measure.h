@@ -114,6 +114,7 @@ HSP_API int32_t HSP_CALL hsp_boundary_get_measures(const hsp_boundary *boundary,
  *  component (hsp_boundary_measure). needed may be NULL and else becomes the number of faces.
  *  - Property 1: the faces of a ball sum to that ball's area and volume_term, up to rounding.
  *
+ *  Accuracy: that of hsp_boundary_measure; of a small face on a large ball it is coarse.
  *  Cost: O(n + vertices + circles).
  *  @retval HSP_E_ARGUMENT  boundary is NULL
  *  @retval HSP_E_CAPACITY  an array is given and capacity is less than the number of faces; nothing but *needed is

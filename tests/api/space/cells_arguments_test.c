@@ -144,6 +144,30 @@ static void large_balls(void) {
   CHECK(cell_at(3.15, 1.05, 1.05) != HSP_NONE);
 }
 
+static uint32_t are_neighbours(uint32_t one, uint32_t other) {
+  uint32_t k, found = 0;
+  CHECK_EQUAL(hsp_cells_get_neighbours(cells, one, neighbours, CELLS, &number), HSP_OK);
+  for (k = 0; k < number; ++k) found += neighbours[k] == other ? 1U : 0U;
+  return found;
+}
+
+/* Two equal balls on both sides of the plane x = 0, in which cubes have sides: points of this plane, of the same power
+ * to both, are of the ball that comes first, and a cell of no thickness between the cells on both sides. */
+static void tied_side(void) {
+  static const double xyz[6] = {1, 0, 0, -1, 0, 0}, radius[2] = {2, 2};
+  uint32_t before, between, behind;
+  CHECK_EQUAL(hsp_model_set(model, 2, xyz, radius, NULL, NULL), HSP_OK);
+  check_has_results();
+  CHECK_EQUAL(hsp_cells_get_cells(cells, 0, counts.cells, records), HSP_OK);
+  before = cell_at(-1e-8, 3, 1);
+  between = cell_at(0, 3, 1);
+  behind = cell_at(1e-8, 3, 1);
+  CHECK(records[before].ball == 1 && records[between].ball == 1 && records[behind].ball == 0);
+  CHECK(records[before].high[0] == 0 && records[between].low[0] == 0 && records[behind].low[0] == 0);
+  CHECK(between != before && are_neighbours(before, behind) == 0);
+  CHECK(are_neighbours(before, between) == 1 && are_neighbours(between, behind) == 1);
+}
+
 /* A closed cage: what is in it is a region of its own, and it is open once one ball is away. */
 static void cage(void) {
   double xyz[3 * CAGE], radius[CAGE];
@@ -254,6 +278,7 @@ int main(void) {
   computing();
   one_ball();
   large_balls();
+  tied_side();
   cage();
   checking();
   arrangement();
