@@ -5113,7 +5113,7 @@ contains
   pure function hsp_periodic_bytes_bound(balls, images, neighbours, vertices, circles, contacts) result(bytes)
     integer(c_int32_t), intent(in) :: balls, images, neighbours, vertices, circles, contacts
     integer(c_size_t) :: bytes
-    bytes = 16384_c_size_t + 384_c_size_t*int(balls, c_size_t) + 256_c_size_t*int(images, c_size_t) &
+    bytes = 16384_c_size_t + 384_c_size_t*int(balls, c_size_t) + 288_c_size_t*int(images, c_size_t) &
       + 448_c_size_t*int(neighbours, c_size_t) + 160_c_size_t*int(vertices, c_size_t) &
       + 80_c_size_t*int(circles, c_size_t) + 60_c_size_t*int(contacts, c_size_t)
   end function

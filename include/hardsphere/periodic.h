@@ -83,7 +83,7 @@ HSP_API int32_t HSP_CALL hsp_periodic_bytes(const hsp_periodic_limits *limits, s
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_PERIODIC_BYTES(balls, images, neighbours, vertices, circles, contacts)                          \
-  ((size_t)16384 + (size_t)384 * (size_t)(balls) + (size_t)256 * (size_t)(images) +                         \
+  ((size_t)16384 + (size_t)384 * (size_t)(balls) + (size_t)288 * (size_t)(images) +                         \
    (size_t)448 * (size_t)(neighbours) + (size_t)160 * (size_t)(vertices) + (size_t)80 * (size_t)(circles) + \
    (size_t)60 * (size_t)(contacts))
 

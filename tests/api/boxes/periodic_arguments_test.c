@@ -75,6 +75,25 @@ static void default_limits(void) {
   CHECK(limits.circles == 2 * 158 + 16 && limits.contacts == 12 * 158 + 64);
 }
 
+/* Limits of which one or two are large: the bound for static arrays holds of each of them, up to some millions. */
+static void bounded_bytes(void) {
+  uint32_t first, second, many;
+  for (many = 1; many < 6000000; many += many / 16 + 1) {
+    for (first = 1; first < 7; ++first) {
+      for (second = first; second < 7; ++second) {
+        uint32_t words[8] = {sizeof words, 0, 0, 0, 0, 0, 0, 0};
+        hsp_periodic_limits limits;
+        size_t bytes = 0;
+        words[first] = words[second] = many;
+        memcpy(&limits, words, sizeof limits);
+        CHECK_EQUAL(hsp_periodic_bytes(&limits, &bytes), HSP_OK);
+        CHECK(bytes <= HSP_PERIODIC_BYTES(limits.balls, limits.images, limits.neighbours, limits.vertices,
+                                          limits.circles, limits.contacts));
+      }
+    }
+  }
+}
+
 static void check_unread(const hsp_periodic *handle, int32_t status) {
   CHECK_EQUAL(hsp_periodic_get_counts(handle, &counts), status);
 }
@@ -497,6 +516,7 @@ static void laws(void) {
 
 int main(void) {
   default_limits();
+  bounded_bytes();
   refused_reading();
   refused_input();
   too_little_room();
