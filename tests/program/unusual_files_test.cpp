@@ -202,6 +202,20 @@ TEST(UnusualFiles, NumbersThatRunOverTheirColumnsAreRefused) {
   EXPECT_EQ(run_json({"measure", wide.path(), "--per-ball"})["balls"].items.at(0)["element"].text, "Si");
 }
 
+// Without its index the type of a V3000 atom would be its x, an atomic number.
+TEST(UnusualFiles, TypesOfV3000AreNoNumbers) {
+  const auto table = [](const std::string &atom) {
+    return "t\n\n\n  0  0  0     0  0            999 V3000\nM  V30 BEGIN CTAB\nM  V30 COUNTS 1 0 0 0 0\nM  V30 BEGIN "
+           "ATOM\n"
+           "M  V30 " +
+           atom + "\nM  V30 END ATOM\nM  V30 END CTAB\nM  END\n";
+  };
+  const TemporaryFile right("right.mol", table("1 C 11 22 33 0")), lacks("lacks.mol", table("C 11 22 33 0"));
+  EXPECT_EQ(run_json({"measure", right.path()})["n"].number, 1);
+  EXPECT_EQ(refusal({"measure", lacks.path()}),
+            "hardsphere: " + lacks.path() + ":8: expected M  V30 index type x y z, and the type is a number\n");
+}
+
 // Of the properties of extended XYZ species is the element, and Z only where there is none.
 TEST(UnusualFiles, SpeciesHavePrecedence) {
   for (const std::string title : {"Z:I:1:species:S:1:pos:R:3", "species:S:1:Z:I:1:pos:R:3"}) {

@@ -202,6 +202,9 @@ static bool read_table(struct line_reader *reader, struct text_buffer *joined, s
                               block == ATOMS ? "M  V30 index type x y z" : "M  V30 index type atom atom");
     } else if (block == ATOMS) {
       double xyz[3];
+      if (is_digit(column[1].text[0])) {
+        return failure_in_input(failure, reader->number, "expected M  V30 index type x y z, and the type is a number");
+      }
       ++found;
       if (!add_atom(reader, column[1], column + 2, xyz, column[0], molecule, failure)) return false;
     } else if (block == BONDS && !add_bond(column[1], column + 2, molecule, failure)) {

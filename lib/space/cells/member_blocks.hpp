@@ -1,10 +1,10 @@
-// The balls that meet a cube, when they are very many, in blocks of 64 that lie close together. The planes between a ball
-// and a block are not nearer than a bound, from the box around the block's centres and its largest radius. So the power
-// cell of a small ball is cut by the planes of a few blocks, and the others are never computed.
+// The balls that meet a cube, when they are very many, in blocks of 64 that lie close together. The planes between a
+// ball and a block are not nearer than a bound, from the box around the block's centres and its largest radius. So the
+// power cell of a small ball is cut by the planes of a few blocks, and those of the others are never computed.
 //
 // As an example 64,000 balls of radius 1 and one of radius 28 in a box of side 60, which is little more than a cube:
-// there are 1,000 blocks of some 4 x 4 x 4, and a power cell needs the planes of about ten, one of them that of the large
-// ball.
+// there are 1,000 blocks of some 6 x 6 x 6, and most power cells need the planes of a few blocks around their balls and
+// those of the block that has the large ball.
 #pragma once
 
 #include "cells/cube_members.hpp"
