@@ -5,6 +5,7 @@
 // Cubes are as wide as the largest ball. Where most balls are far smaller, these are in smaller cubes of their own.
 #pragma once
 
+#include "core/small_code.hpp"
 #include "core/workspace.hpp"
 #include "model/ball_set.hpp"
 #include "model/grid_order.hpp"
@@ -25,7 +26,7 @@ class BallCells {
   int64_t side() const { return side_[0]; }
   // The side of the cubes that have the balls of a radius.
   int64_t side_for(int64_t radius) const { return side_[size_of(radius)]; }
-  bool has_small_cubes() const { return side_[1] != 0; }
+  bool has_small_cubes() const { return !small_code && side_[1] != 0; }
 
   // Calls visit(ball) once for every ball that may meet or touch a ball of radius `reach`, or less, whose centre is in
   // a box. If there are more cubes to look in than balls, calls it for every ball of that size.
@@ -84,15 +85,15 @@ class BallCells {
 
  private:
   // Sizes of cubes: 0 those as wide as the largest ball, 1 small ones. Small cubes are counted from here on along x, so
-  // that no cube of another size has their coordinates.
-  static constexpr uint32_t sizes = 2;
+  // that no cube of another size has their coordinates. Small code makes none.
+  static constexpr uint32_t sizes = small_code ? 1 : 2;
   static constexpr int64_t first_small = INT64_C(1) << 60;
 
   uint32_t size_of(int64_t radius) const { return has_small_cubes() && 2 * radius <= side_[1] ? 1 : 0; }
-  static uint32_t size_of(const CubeCoordinates &cube) { return cube.x >= first_small / 2 ? 1 : 0; }
+  static uint32_t size_of(const CubeCoordinates &cube) { return !small_code && cube.x >= first_small / 2 ? 1 : 0; }
   CubeCoordinates cube_at(uint32_t size, const exact::Vector &point) const {
     CubeCoordinates cube = CubeAxis(side_[size]).cube_at(point);
-    if (size != 0) cube.x += first_small;
+    if (!small_code && size != 0) cube.x += first_small;
     return cube;
   }
   template <class Visit>
@@ -133,8 +134,8 @@ class BallCells {
   Span<CubeCoordinates> cube_;
   uint32_t used_ = 1;
   uint32_t balls_ = 0;
-  uint32_t count_[sizes] = {};    // how many balls there are
-  int64_t side_[sizes] = {1, 0};  // 0: there are no small cubes
+  uint32_t count_[2] = {};    // how many balls there are
+  int64_t side_[2] = {1, 0};  // 0: there are no small cubes
 };
 
 }  // namespace hsp

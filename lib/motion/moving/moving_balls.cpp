@@ -20,7 +20,7 @@ void count_ball(const MovingBall &ball, bool is_origin, bool add, MovingCounts &
 
 // The largest of the radii for which the cubes of all balls are far too large; 0 if there are none: twice the mean.
 int64_t largest_small_radius(const CubeGrid &grid) {
-  if (grid.levels() == nullptr) return 0;
+  if (small_code || grid.levels() == nullptr) return 0;
   const BallSet &balls = grid.balls();
   double sum = 0.0;
   for (uint32_t i = 0; i < balls.n; ++i) sum += balls.r[i];
