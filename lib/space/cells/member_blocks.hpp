@@ -17,8 +17,10 @@ class MemberBlocks {
   static constexpr uint32_t in_block = 64;
   // In fewer balls it takes no more time to find all planes.
   static constexpr uint32_t fewest = 2048;
-  // The number of places of so many balls in blocks.
-  static constexpr uint64_t places_for(uint64_t balls) { return (balls + in_block - 1) / in_block * in_block; }
+  // The number of places for the planes of so many balls: few have one each, many are in whole blocks.
+  static constexpr uint64_t places_for(uint64_t balls) {
+    return balls < fewest ? balls : (balls + in_block - 1) / in_block * in_block;
+  }
 
   void carve(Workspace &workspace, uint32_t balls);
 
