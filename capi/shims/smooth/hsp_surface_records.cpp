@@ -72,7 +72,8 @@ hsp_surface_patch patch_record(const SurfaceResults &results, uint32_t id) {
   hsp_surface_patch record{};
   record.area = results.balls.lattice.area(hsp::measure_patch(results.map, id).area);
   record.kind = number_of(patch.kind);
-  record.source = patch.source;
+  const bool is_circle = patch.kind == hsp::PatchKind::circle_saddle;
+  record.source = is_circle ? patch.source - results.boundary.arc_count() : patch.source;
   record.part = patch.part;
   if (patch.kind == hsp::PatchKind::concave) {
     record.part = patch.part == HSP_NONE ? 0 : patch.part - results.surface.cut_patches().pieces(patch.source).first;
@@ -103,9 +104,9 @@ hsp_surface_edge edge_record(const SurfaceResults &results, uint32_t id) {
     record.previous[side] = results.map.previous(h);
   }
   record.kind = number_of(edge.kind);
-  record.source = edge.kind == hsp::SurfaceEdgeKind::crease       ? HSP_NONE
-                  : edge.kind == hsp::SurfaceEdgeKind::circle_rim ? hsp::ClosedHalfEdge::from_id(edge.source).circle()
-                                                                  : results.map.arc_of(edge.source);
+  record.source = edge.kind == hsp::SurfaceEdgeKind::crease ? HSP_NONE
+                  : edge.element().is_circle()              ? edge.element().closed_half_edge().circle()
+                                                            : results.map.saddle_of(edge.element());
   return record;
 }
 
@@ -227,7 +228,7 @@ int32_t hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_shell *ou
   for (uint32_t id = 0; id < results.map.patch_count(); ++id) {
     const uint32_t shell = results.map.shell_of(id);
     if (shell == HSP_NONE) continue;
-    const hsp::PatchMeasure measure = hsp::measure_patch(results.map, id);
+    const hsp::BallMeasure measure = hsp::measure_patch(results.map, id);
     out[shell].area += measure.area;
     out[shell].volume += measure.volume;
     ++out[shell].patches;

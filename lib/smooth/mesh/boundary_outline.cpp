@@ -14,18 +14,16 @@ Status expected_mesh_limits(const BallSet &balls, const Boundary &boundary, doub
     const double r = balls.r[i];
     double border = 0.0;
     double own = 0.0;
+    const auto add = [&](LoopElement e, bool is_own) {
+      const double segments = segments_of_curve(balls, boundary, e, edge);
+      border += segments;
+      if (is_own) own += segments;
+    };
     for (const uint32_t e : boundary.half_edges(i)) {
       const bool lower = balls.ranks_before(i, boundary.half_edge(e).circle);
-      const double segments =
-          lower ? segments_of_arc(balls, boundary, e, edge) : segments_of_arc(balls, boundary, boundary.twin(e), edge);
-      border += segments;
-      if (lower) own += segments;
+      add(LoopElement::arc(lower ? e : boundary.twin(e)), lower);
     }
-    for (const ClosedHalfEdge e : boundary.circles(i)) {
-      const double segments = segments_of_circle(balls, boundary, e.circle(), edge);
-      border += segments;
-      if (e.side() == 0) own += segments;
-    }
+    for (const ClosedHalfEdge e : boundary.circles(i)) add(LoopElement::circle(e), e.side() == 0);
     sizes.add_points(own);
     sizes.add_sphere(border, r > 0.0 ? measure_ball(balls, boundary, i).area / (r * r) : 4 * pi, spacing_on(r, edge));
   }
@@ -72,14 +70,9 @@ double MeshedFaces::steradians(const BallSet &balls, uint32_t ball) const {
 }
 
 void BoundaryOutline::find_owners(uint32_t c, uint32_t owners[2]) const {
-  const uint32_t element = curves_.curve(c).element;
-  if (curves_.is_circle(c)) {
-    owners[0] = boundary_.circle(element).ball[0];
-    owners[1] = boundary_.circle(element).ball[1];
-  } else {
-    owners[0] = boundary_.ball_of(element);
-    owners[1] = boundary_.half_edge(element).circle;
-  }
+  const LoopElement element = curves_.curve(c).element;
+  owners[0] = boundary_.ball_of(element);
+  owners[1] = boundary_.neighbour(element);
 }
 
 MeshVertex BoundaryOutline::vertex_at(const Position &position, const uint32_t *owners, uint32_t count) const {
@@ -100,18 +93,19 @@ MeshVertex BoundaryOutline::corner(uint32_t v) const {
 
 void BoundaryOutline::add_samples(uint32_t c, FixedVector<MeshVertex> &vertices) const {
   const MeshCurve &curve = curves_.curve(c);
-  const bool is_circle = curves_.is_circle(c);
-  const CurvePoints points(balls_, boundary_, curve, is_circle);
+  const CirclePoints points = points_of_curve(balls_, boundary_, curve.element);
   uint32_t owners[2];
   find_owners(c, owners);
-  for (uint32_t k = is_circle ? 0 : 1; k < curve.segments; ++k) vertices.push(vertex_at(points.at(k), owners, 2));
+  for (uint32_t k = curve.element.is_circle() ? 0 : 1; k < curve.segments; ++k) {
+    vertices.push(vertex_at(points.at(k, curve.segments), owners, 2));
+  }
 }
 
 bool BoundaryOutline::is_too_fine(uint32_t c) const {
   const MeshCurve &curve = curves_.curve(c);
-  if (curves_.is_circle(c)) return false;
-  const double radius = balls_.r[boundary_.ball_of(curve.element)];
-  return length_of_arc(balls_, boundary_, curve.element) < least_segment * radius * curve.segments;
+  if (curve.element.is_circle()) return false;
+  const double radius = balls_.r[boundary_.ball_of(curve.element.half_edge())];
+  return length_of_curve(balls_, boundary_, curve.element) < least_segment * radius * curve.segments;
 }
 
 void BoundaryOutline::add_border(uint32_t sphere, SphericalPatch &patch) const {
@@ -126,35 +120,29 @@ void BoundaryOutline::add_border(uint32_t sphere, SphericalPatch &patch) const {
 
 void BoundaryOutline::add_loop(uint32_t ball, uint32_t loop, SphericalPatch &patch) const {
   const LoopElement start = boundary_.loop_start(loop);
-  if (start.is_circle()) {
-    const ClosedHalfEdge e = start.closed_half_edge();
-    const uint32_t c = curves_.of_circle(e.circle());
-    const MeshCurve &curve = curves_.curve(c);
-    const CurvePoints points(balls_, boundary_, curve, true, least_circle * balls_.r[ball]);
-    const uint32_t other = boundary_.neighbour(e);
-    for_each_point(curve, true, balls_.ranks_before(ball, other), [&](uint32_t k, uint32_t vertex) {
-      patch.add({direction_from(balls_, ball, points.at(k)), vertex, c, {other, no_id}});
-    });
-    return;
-  }
+  if (start.is_circle()) return add_points(ball, start, patch);
   uint32_t e = start.half_edge();
   do {
     const HalfEdge &half_edge = boundary_.half_edge(e);
-    const uint32_t c = curves_.of_half_edge(e);
-    const MeshCurve &curve = curves_.curve(c);
     const Position at_start = position_of_vertex(balls_, boundary_, half_edge.vertex);
     patch.add({direction_from(balls_, ball, at_start),
                half_edge.vertex,
-               c,
+               curves_.of(LoopElement::arc(e)),
                {boundary_.previous_circle(ball, half_edge), half_edge.circle}});
-    if (curve.segments > 1) {
-      const CurvePoints points(balls_, boundary_, curve, false);
-      for_each_point(curve, false, curve.element == e, [&](uint32_t k, uint32_t vertex) {
-        patch.add({direction_from(balls_, ball, points.at(k)), vertex, c, {half_edge.circle, no_id}});
-      });
-    }
+    add_points(ball, LoopElement::arc(e), patch);
     e = half_edge.next;
   } while (e != start.half_edge());
+}
+
+void BoundaryOutline::add_points(uint32_t ball, LoopElement e, SphericalPatch &patch) const {
+  const uint32_t c = curves_.of(e);
+  const MeshCurve &curve = curves_.curve(c);
+  if (curve.segments == 1) return;
+  const CirclePoints points = points_of_curve(balls_, boundary_, curve.element, least_circle * balls_.r[ball]);
+  for_each_point(curve, e.is_circle(), curve.element == e, [&](uint32_t k, uint32_t vertex) {
+    const Position point = points.at(k, curve.segments);
+    patch.add({direction_from(balls_, ball, point), vertex, c, {boundary_.neighbour(e), no_id}});
+  });
 }
 
 }  // namespace hsp

@@ -107,6 +107,8 @@ class BoundaryOutline {
   void find_owners(uint32_t c, uint32_t owners[2]) const;
   MeshVertex vertex_at(const Position &position, const uint32_t *owners, uint32_t count) const;
   void add_loop(uint32_t ball, uint32_t loop, SphericalPatch &patch) const;
+  // The points of a curve between its ends, or all of a circle.
+  void add_points(uint32_t ball, LoopElement e, SphericalPatch &patch) const;
 
   const BallSet &balls_;
   const Boundary &boundary_;

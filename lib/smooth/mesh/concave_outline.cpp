@@ -76,7 +76,7 @@ void ConcaveOutline::add_crease(uint32_t h, bool is_closed, SphericalPatch &patc
   const bool forwards = h % 2 == 0;
   const uint32_t arc = map.edge(c).source;
   const uint32_t across = cut.arc(forwards ? arc : cut.arc(arc).twin).across;
-  const CreasePoints points(map, c, map.origin(2 * c));
+  const CirclePoints points = points_of_crease(map, c, map.origin(2 * c));
   for_each_point(curve, is_closed, forwards, [&](uint32_t k, uint32_t vertex) {
     patch.add({sphere_.way_from(points.at(k, curve.segments)), vertex, c, {across, no_id}});
   });
@@ -86,8 +86,8 @@ void ConcaveOutline::add_side(uint32_t h, SphericalPatch &patch) const {
   const uint32_t c = h / 2;
   const MeshCurve &curve = curves_.curve(c);
   const SurfaceEdge edge = curves_.map().edge(c);
-  const SaddleBand band = curves_.band_of_arc(edge.source);
-  const Vec3 outward = band.outward_at_end(1 - curves_.map().side_of(edge.source));
+  const SaddleBand band = curves_.band_of(edge.element());
+  const Vec3 outward = band.outward_at_end(1 - curves_.map().side_of(edge.element()));
   for_each_point(curve, false, h % 2 == 0, [&](uint32_t k, uint32_t vertex) {
     patch.add({band.at(outward, edge.part, k, curve.segments).normal, vertex, c, {no_id, no_id}});
   });

@@ -5,27 +5,21 @@
 namespace hsp {
 namespace {
 
-void add_circle(const SurfaceCurves &curves, uint32_t ball, uint32_t h, SphericalPatch &patch) {
+// The points of a rim from this corner on, or of a whole circle.
+void add_rim(const SurfaceCurves &curves, uint32_t ball, uint32_t h, uint32_t corner, SphericalPatch &patch) {
   const BallSet &balls = curves.balls();
   const uint32_t c = h / 2;
   const MeshCurve &curve = curves.curve(c);
-  const SaddleBand band = curves.band_of_circle(ClosedHalfEdge::from_id(curves.map().edge(c).source).circle());
-  for_each_point(curve, true, h % 2 == 0, [&](uint32_t k, uint32_t vertex) {
-    const Position probe = band.probe(band.outward(k, curve.segments), least_circle * balls.r[ball]);
-    patch.add({direction_from(balls, ball, probe), vertex, c, {no_id, no_id}});
-  });
-}
-
-void add_arc(const SurfaceCurves &curves, uint32_t ball, uint32_t h, uint32_t corner, SphericalPatch &patch) {
-  const BallSet &balls = curves.balls();
-  const uint32_t c = h / 2;
-  const MeshCurve &curve = curves.curve(c);
-  const Position start = position_of_vertex(balls, curves.boundary(), corner / 3);
-  patch.add({direction_from(balls, ball, start), corner, c, {no_id, no_id}});
+  const bool is_circle = corner == no_id;
+  if (!is_circle) {
+    const Position start = position_of_vertex(balls, curves.boundary(), corner / 3);
+    patch.add({direction_from(balls, ball, start), corner, c, {no_id, no_id}});
+  }
   if (curve.segments == 1) return;
-  const SaddleBand band = curves.band_of_arc(curves.map().edge(c).source);
-  for_each_point(curve, false, h % 2 == 0, [&](uint32_t k, uint32_t vertex) {
-    const Position probe = band.probe(band.outward(k, curve.segments));
+  const SaddleBand band = curves.band_of(curves.map().edge(c).element());
+  for_each_point(curve, is_circle, h % 2 == 0, [&](uint32_t k, uint32_t vertex) {
+    const double least_radius = is_circle ? least_circle * balls.r[ball] : 0.0;
+    const Position probe = band.probe(band.outward(k, curve.segments), least_radius);
     patch.add({direction_from(balls, ball, probe), vertex, c, {no_id, no_id}});
   });
 }
@@ -37,14 +31,7 @@ void SurfaceOutline::add_convex_border(uint32_t ball, SphericalPatch &patch) con
   faces().visit(ball, [&](uint32_t face, uint32_t number) {
     map().for_each_loop(face, [&](uint32_t loop) {
       patch.begin_loop(number);
-      map().for_each_edge(loop, [&](uint32_t h) {
-        const uint32_t corner = map().origin(h);
-        if (corner == no_id) {
-          add_circle(*this, ball, h, patch);
-        } else {
-          add_arc(*this, ball, h, corner, patch);
-        }
-      });
+      map().for_each_edge(loop, [&](uint32_t h) { add_rim(*this, ball, h, map().origin(h), patch); });
     });
   });
 }

@@ -1,16 +1,30 @@
 // Borders of patches of any surface. A curve has its points once, so that all patches beside it share them.
 #pragma once
 
+#include "core/elementary.hpp"
 #include "surface/surface_positions.hpp"
 
 namespace hsp {
 
 struct MeshCurve {
-  uint32_t element;       // of the boundary or the surface: see those who fill it
+  LoopElement element;    // of the boundary, on the ball of lower rank; not used for edges of the smooth surface
   uint32_t segments;      // between its points
   uint32_t first_sample;  // number in the mesh of the points between its ends, of a closed one of all of them
   bool refine;            // wants twice as many segments
   bool refined;           // has more segments than its length demands
+};
+
+// Points at equal angles on a circle, from one of them on.
+struct CirclePoints {
+  Position centre;
+  double angle;  // from the first point to the last one
+  Vec3 x, y;     // from the centre to the first point, and to that a quarter turn on
+
+  // Point k of 0 .. segments.
+  Position at(uint32_t k, uint32_t segments) const {
+    const SinCos turn = sin_cos(angle * k / segments);
+    return {centre.ball, centre.offset + combine(turn.cosine, x, turn.sine, y)};
+  }
 };
 
 // Calls visit(k, vertex) for the points of a curve between its ends, or all of a closed one, along it or against it,
@@ -42,11 +56,13 @@ inline double segments_of(double length_of_curve, double length, double fewest) 
   return segments < fewest ? fewest : segments;
 }
 
-// Whether both ends of an arc are of the same three balls. Then another arc may have the same ends, and the two must
-// not both be a single segment.
-inline bool has_ends_of_same_balls(const Boundary &boundary, uint32_t half_edge) {
-  const HalfEdge &start = boundary.half_edge(half_edge);
-  return boundary.half_edge(start.next).circle == boundary.previous_circle(boundary.ball_of(half_edge), start);
+// The fewest segments of an arc or a circle. If both ends of an arc are of the same three balls, another arc may have
+// the same ends, and the two must not both be a single segment.
+inline double fewest_segments(const Boundary &boundary, LoopElement e) {
+  if (e.is_circle()) return fewest_of_circle;
+  const HalfEdge &start = boundary.half_edge(e.half_edge());
+  const uint32_t third = boundary.previous_circle(boundary.ball_of(e.half_edge()), start);
+  return boundary.half_edge(start.next).circle == third ? 2.0 : 1.0;
 }
 
 // The direction to take if no other is known.

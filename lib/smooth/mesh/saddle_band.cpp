@@ -6,40 +6,31 @@
 
 namespace hsp {
 
-SaddleBand::SaddleBand(const BallSet &balls, const Boundary &boundary, uint32_t half_edge, bool has_cusps)
-    : balls_(balls), has_cusps_(has_cusps) {
-  set_circle(boundary.half_edge(half_edge).circle, boundary.ball_of(half_edge));
+SaddleBand::SaddleBand(const BallSet &balls, const Boundary &boundary, LoopElement on_ball_1, bool has_cusps)
+    : balls_(balls),
+      ball_{boundary.neighbour(on_ball_1), boundary.ball_of(on_ball_1)},
+      has_cusps_(has_cusps),
+      probe_(static_cast<double>(balls.probe_steps)) {
+  const CirclePosition circle = position_of_circle(balls, ball_[0], ball_[1]);
+  centre_ = circle.centre;
+  axis_ = circle.axis;
+  radius_ = circle.radius;
+  for (uint32_t side = 0; side < 2; ++side) {
+    tilt_[side] = arc_tangent(CircleGeometry(balls, ball_[side], ball_[1 - side]).height, radius_);
+  }
+  cusp_ = has_cusps ? arc_tangent(half_way_between_cusps(balls, ball_[0], ball_[1]), radius_) : 0.0;
+  // If the two differ by rounding alone, nothing lies between them.
+  for (double &tilt : tilt_) tilt = has_cusps && tilt < cusp_ ? cusp_ : tilt;
+  angle_ = 2 * pi;
+  end_[0] = end_[1] = perpendicular_to(axis_);
+  if (on_ball_1.is_circle()) return;
+  const uint32_t half_edge = on_ball_1.half_edge();
   angle_ = angle_of_arc(balls, boundary, half_edge);
   const uint32_t vertex[2] = {boundary.half_edge(half_edge).vertex, boundary.end_vertex(half_edge)};
   for (uint32_t end = 0; end < 2; ++end) {
     const Vec3 arm = direction_from(balls, centre_.ball, position_of_vertex(balls, boundary, vertex[end]));
-    end_[end] = unit(arm - centre_.offset, perpendicular_to(axis_));
+    end_[end] = unit(arm - centre_.offset, end_[end]);
   }
-}
-
-SaddleBand::SaddleBand(const BallSet &balls, const Boundary &boundary, ClosedHalfEdge on_ball_1, bool has_cusps)
-    : balls_(balls), has_cusps_(has_cusps) {
-  set_circle(boundary.neighbour(on_ball_1), boundary.ball_of(on_ball_1));
-  angle_ = 2 * pi;
-  end_[0] = end_[1] = perpendicular_to(axis_);
-}
-
-void SaddleBand::set_circle(uint32_t ball_0, uint32_t ball_1) {
-  ball_[0] = ball_0;
-  ball_[1] = ball_1;
-  const CirclePosition circle = position_of_circle(balls_, ball_0, ball_1);
-  centre_ = circle.centre;
-  axis_ = circle.axis;
-  radius_ = circle.radius;
-  probe_ = static_cast<double>(balls_.probe_steps);
-  for (uint32_t side = 0; side < 2; ++side) {
-    tilt_[side] = arc_tangent(CircleGeometry(balls_, ball_[side], ball_[1 - side]).height, radius_);
-  }
-  cusp_ = 0.0;
-  if (!has_cusps_) return;
-  cusp_ = arc_tangent(half_way_between_cusps(balls_, ball_0, ball_1), radius_);
-  // If the two differ by rounding alone, nothing lies between them.
-  for (double &tilt : tilt_) tilt = tilt < cusp_ ? cusp_ : tilt;
 }
 
 double SaddleBand::width() const {

@@ -13,9 +13,8 @@ namespace hsp {
 
 class SaddleBand {
  public:
-  // The band of an arc, named by its half-edge on ball 1, or of a circle.
-  SaddleBand(const BallSet &balls, const Boundary &boundary, uint32_t half_edge, bool has_cusps);
-  SaddleBand(const BallSet &balls, const Boundary &boundary, ClosedHalfEdge on_ball_1, bool has_cusps);
+  // The band of an arc or a circle.
+  SaddleBand(const BallSet &balls, const Boundary &boundary, LoopElement on_ball_1, bool has_cusps);
 
   uint32_t ball(uint32_t side) const { return ball_[side]; }
   bool has_cusps() const { return has_cusps_; }
@@ -48,7 +47,6 @@ class SaddleBand {
   Point at(const Vec3 &outward, uint32_t part, uint32_t l, uint32_t segments) const;
 
  private:
-  void set_circle(uint32_t ball_0, uint32_t ball_1);
   double first(uint32_t part) const { return part == 0 ? -tilt_[0] : cusp_; }
   double last(uint32_t part) const { return part == 1 || !has_cusps_ ? tilt_[1] : -cusp_; }
 

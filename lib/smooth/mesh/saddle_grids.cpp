@@ -45,20 +45,31 @@ struct SaddleGrids::Grid {
   }
 };
 
-SaddleGrids::Grid SaddleGrids::grid_of_arc(uint32_t arc, uint32_t part, bool has_cusps) const {
+SaddleGrids::Grid SaddleGrids::grid_of(uint32_t saddle, uint32_t part, const SaddleBand &band, double length) const {
   const SurfaceMap &map = curves_.map();
-  const uint32_t rim[2] = {2 * arc, 2 * arc + 1};
+  const uint32_t rim[2] = {2 * saddle, 2 * saddle + 1};
   const uint32_t h = 2 * rim[part] + part;  // with the saddle on its left
-  // The sides at the ends of the arc, from ball 0 to ball 1.
-  const uint32_t side[2] = {(part == 0 ? map.previous(h) : map.next(h)) & ~UINT32_C(1),
-                            (part == 0 ? map.next(h) : map.previous(h)) & ~UINT32_C(1)};
   Grid grid{};
   grid.part = part;
   grid.patch = map.left(h);
+  grid.closed = curves_.is_closed(rim[part]);
   grid.turns = curves_.curve(rim[0]).segments;
+  for (uint32_t k = 0; k < 2; ++k) {
+    grid.rim[k] = band.has_cusps() && k != part ? no_id : curves_.curve(rim[k]).first_sample;
+  }
+  if (grid.closed) {
+    const double rows = segments_of(band.length(part), length, 1.0);
+    grid.rows = rows < max_count ? static_cast<uint32_t>(rows) : max_count;
+    if (!band.has_cusps()) return grid;
+    const uint32_t cusp = map.cusp_at(map.cusped_circle_of(map.element_of(saddle, part)), band.ball(part));
+    grid.corner[0][1 - part] = grid.corner[1][1 - part] = cusp;
+    return grid;
+  }
+  // The sides at the ends of the arc, from ball 0 to ball 1.
+  const uint32_t side[2] = {(part == 0 ? map.previous(h) : map.next(h)) & ~UINT32_C(1),
+                            (part == 0 ? map.next(h) : map.previous(h)) & ~UINT32_C(1)};
   grid.rows = curves_.curve(side[0] / 2).segments;
   for (uint32_t k = 0; k < 2; ++k) {
-    grid.rim[k] = has_cusps && k != part ? no_id : curves_.curve(rim[k]).first_sample;
     grid.side[k] = curves_.curve(side[k] / 2).first_sample;
     grid.corner[k][0] = map.origin(side[k]);
     grid.corner[k][1] = map.origin(SurfaceMap::twin(side[k]));
@@ -66,39 +77,14 @@ SaddleGrids::Grid SaddleGrids::grid_of_arc(uint32_t arc, uint32_t part, bool has
   return grid;
 }
 
-SaddleGrids::Grid SaddleGrids::grid_of_circle(uint32_t circle, uint32_t part, const SaddleBand &band,
-                                              double length) const {
-  const SurfaceMap &map = curves_.map();
-  const CuspedCircles &cusped_circles = curves_.surface().cusped_circles();
-  const uint32_t first_rim = 2 * curves_.boundary().arc_count() + 2 * circle;
-  Grid grid{};
-  grid.part = part;
-  grid.patch = map.left(2 * (first_rim + part) + part);
-  grid.closed = true;
-  grid.turns = curves_.curve(first_rim).segments;
-  const double rows = segments_of(band.length(part), length, 1.0);
-  grid.rows = rows < max_count ? static_cast<uint32_t>(rows) : max_count;
-  const uint32_t cusped = cusped_circles.of_circle(circle);
-  for (uint32_t k = 0; k < 2; ++k) {
-    const bool is_cusp = band.has_cusps() && k != part;
-    grid.rim[k] = is_cusp ? no_id : curves_.curve(first_rim + k).first_sample;
-    if (!is_cusp) continue;
-    const uint32_t s = cusped_circles.ball(cusped, 0) == band.ball(part) ? 0 : 1;
-    grid.corner[0][k] = grid.corner[1][k] = map.first_cusp() + 2 * cusped + s;
-  }
-  return grid;
-}
-
 // Calls visit(band, grid) for the parts of chosen patches, until it returns false.
 template <class Visit>
 bool SaddleGrids::for_each_grid(double length, Patience &patience, Visit visit) const {
-  const uint32_t arcs = curves_.boundary().arc_count();
   for (uint32_t k = 0; k < curves_.saddle_count(); ++k) {
     if (!patience.allows(2000)) return false;
-    const bool is_arc = k < arcs;
-    const SaddleBand band = curves_.band_of_saddle(k);
+    const SaddleBand band = curves_.band_of(curves_.map().element_of(k, 1));
     for (uint32_t part = 0; part < band.parts(); ++part) {
-      Grid grid = is_arc ? grid_of_arc(k, part, band.has_cusps()) : grid_of_circle(k - arcs, part, band, length);
+      Grid grid = grid_of(k, part, band, length);
       if (curves_.map().is_chosen(grid.patch) && !visit(band, grid)) return false;
     }
   }
@@ -156,7 +142,7 @@ void SaddleGrids::add_grid(const SaddleBand &band, Grid &grid, FixedVector<MeshV
 
 void SaddleGrids::add_sizes(double length, MeshSizes &sizes) const {
   for (uint32_t k = 0; k < curves_.saddle_count(); ++k) {
-    const SaddleBand band = curves_.band_of_saddle(k);
+    const SaddleBand band = curves_.band_of(curves_.map().element_of(k, 1));
     const double turns = segments_of(band.width(), length, fewest_of_circle);
     for (uint32_t part = 0; part < band.parts(); ++part) {
       sizes.add_points(turns * segments_of(band.length(part), length, 1.0));

@@ -24,8 +24,7 @@ class SaddleGrids {
   struct Grid;
   template <class Visit>
   bool for_each_grid(double length, Patience &patience, Visit visit) const;
-  Grid grid_of_arc(uint32_t arc, uint32_t part, bool has_cusps) const;
-  Grid grid_of_circle(uint32_t circle, uint32_t part, const SaddleBand &band, double length) const;
+  Grid grid_of(uint32_t saddle, uint32_t part, const SaddleBand &band, double length) const;
   void add_grid(const SaddleBand &band, Grid &grid, FixedVector<MeshVertex> &vertices,
                 FixedVector<MeshTriangle> &triangles) const;
 

@@ -2,41 +2,29 @@
 
 namespace hsp {
 
-CreasePoints::CreasePoints(const SurfaceMap &map, uint32_t edge, uint32_t start) : arc_(position_of_edge(map, edge)) {
-  x_ = arc_.radius * perpendicular_to(arc_.axis);
+CirclePoints points_of_crease(const SurfaceMap &map, uint32_t edge, uint32_t start) {
+  const ArcPosition arc = position_of_edge(map, edge);
+  Vec3 x = arc.radius * perpendicular_to(arc.axis);
   if (start != no_id) {
-    const Position from = position_of_corner(map, start);
-    x_ = direction_from(map.balls(), arc_.centre.ball, from) - arc_.centre.offset;
+    x = direction_from(map.balls(), arc.centre.ball, position_of_corner(map, start)) - arc.centre.offset;
   }
+  return {arc.centre, arc.angle, x, cross(arc.axis, x)};
 }
 
-SaddleBand SurfaceCurves::band_of_arc(uint32_t half_edge) const {
-  const uint32_t on_ball_1 = map_.side_of(half_edge) == 1 ? half_edge : boundary().twin(half_edge);
-  return {balls(), boundary(), on_ball_1, map_.cusped_circle_of(half_edge) != no_id};
-}
-
-SaddleBand SurfaceCurves::band_of_circle(uint32_t circle) const {
-  return {balls(), boundary(), map_.circle_on(circle, 1), surface().cusped_circles().of_circle(circle) != no_id};
-}
-
-SaddleBand SurfaceCurves::band_of_saddle(uint32_t k) const {
-  const uint32_t arcs = boundary().arc_count();
-  return k < arcs ? band_of_arc(map_.half_edge_of(k, 1)) : band_of_circle(k - arcs);
+SaddleBand SurfaceCurves::band_of(LoopElement e) const {
+  return {balls(), boundary(), map_.side_of(e) == 1 ? e : map_.across(e), map_.cusped_circle_of(e) != no_id};
 }
 
 double SurfaceCurves::segments(uint32_t c, double length) const {
   const SurfaceEdge edge = map_.edge(c);
-  if (edge.kind == SurfaceEdgeKind::rim) {
-    return segments_of(band_of_arc(edge.source).width(), length,
-                       has_ends_of_same_balls(boundary(), edge.source) ? 2.0 : 1.0);
+  if (edge.kind == SurfaceEdgeKind::crease) {
+    // Several creases may join the same two corners.
+    const ArcPosition arc = position_of_edge(map_, c);
+    return segments_of(arc.radius * arc.angle, length, is_closed(c) ? fewest_of_circle : 2.0);
   }
-  if (edge.kind == SurfaceEdgeKind::circle_rim) {
-    return segments_of(band_of_circle(ClosedHalfEdge::from_id(edge.source).circle()).width(), length, fewest_of_circle);
-  }
-  if (edge.kind == SurfaceEdgeKind::side) return segments_of(band_of_arc(edge.source).length(edge.part), length, 1.0);
-  // Several creases may join the same two corners.
-  const ArcPosition arc = position_of_edge(map_, c);
-  return segments_of(arc.radius * arc.angle, length, is_closed(c) ? fewest_of_circle : 2.0);
+  const SaddleBand band = band_of(edge.element());
+  if (edge.kind == SurfaceEdgeKind::side) return segments_of(band.length(edge.part), length, 1.0);
+  return segments_of(band.width(), length, fewest_segments(boundary(), edge.element()));
 }
 
 bool SurfaceCurves::divide(double length, Patience &patience) {
@@ -46,7 +34,7 @@ bool SurfaceCurves::divide(double length, Patience &patience) {
     const double wanted = segments(c, length);
     all += wanted;
     if (!(all < max_count)) return false;
-    curve_[c] = {c, static_cast<uint32_t>(wanted), 0, false, false};
+    curve_[c] = {{}, static_cast<uint32_t>(wanted), 0, false, false};
   }
   return true;
 }
@@ -63,7 +51,7 @@ bool SurfaceCurves::is_too_fine(uint32_t c) const {
     const ArcPosition arc = position_of_edge(map_, c);
     length = arc.radius * arc.angle;
   } else {
-    const SaddleBand band = band_of_arc(edge.source);
+    const SaddleBand band = band_of(edge.element());
     length = edge.kind == SurfaceEdgeKind::rim ? band.way_of_probe() : band.length(edge.part);
   }
   return length < least_segment * probe() * curve_[c].segments;

@@ -8,21 +8,8 @@
 
 namespace hsp {
 
-// The points of a crease at equal angles, from its start corner on; start is no_id for a whole circle.
-class CreasePoints {
- public:
-  CreasePoints(const SurfaceMap &map, uint32_t edge, uint32_t start);
-
-  Position at(uint32_t k, uint32_t segments) const {
-    const SinCos turn = sin_cos(arc_.angle * k / segments);
-    const Vec3 arm = combine(turn.cosine, x_, turn.sine, cross(arc_.axis, x_));
-    return {arc_.centre.ball, arc_.centre.offset + arm};
-  }
-
- private:
-  ArcPosition arc_;
-  Vec3 x_;
-};
+// The points of a crease from its start corner on; start is no_id for a whole circle.
+CirclePoints points_of_crease(const SurfaceMap &map, uint32_t edge, uint32_t start);
 
 class SurfaceCurves {
  public:
@@ -58,11 +45,8 @@ class SurfaceCurves {
   MeshVertex corner(uint32_t id) const;
   void add_samples(uint32_t c, FixedVector<MeshVertex> &vertices) const;
 
-  // Saddles: of arcs, then of circles.
   uint32_t saddle_count() const { return boundary().arc_count() + boundary().circle_count(); }
-  SaddleBand band_of_saddle(uint32_t k) const;
-  SaddleBand band_of_arc(uint32_t half_edge) const;
-  SaddleBand band_of_circle(uint32_t circle) const;
+  SaddleBand band_of(LoopElement e) const;
 
  private:
   Vec3 normal_at_cusp(uint32_t k, uint32_t side, const Position &position) const;

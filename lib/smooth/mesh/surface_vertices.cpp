@@ -47,28 +47,23 @@ MeshVertex SurfaceCurves::corner(uint32_t id) const {
 void SurfaceCurves::add_samples(uint32_t c, FixedVector<MeshVertex> &vertices) const {
   const SurfaceEdge edge = map().edge(c);
   const uint32_t segments = curve(c).segments;
-  const auto push = [&](const SaddleBand::Point &point) { vertices.push(vertex_of_band(balls(), point)); };
-  if (edge.kind == SurfaceEdgeKind::circle_rim) {
-    const ClosedHalfEdge circle = ClosedHalfEdge::from_id(edge.source);
-    const SaddleBand band = band_of_circle(circle.circle());
-    const uint32_t side = band.ball(0) == boundary().ball_of(circle) ? 0 : 1;
-    for (uint32_t k = 0; k < segments; ++k) push(band.on_ball(side, band.outward(k, segments)));
-  } else if (edge.kind == SurfaceEdgeKind::rim) {
-    const SaddleBand band = band_of_arc(edge.source);
-    const uint32_t side = map().side_of(edge.source);
-    for (uint32_t k = 1; k < segments; ++k) push(band.on_ball(side, band.outward(k, segments)));
-  } else if (edge.kind == SurfaceEdgeKind::side) {
-    const SaddleBand band = band_of_arc(edge.source);
-    const Vec3 outward = band.outward_at_end(1 - map().side_of(edge.source));
-    for (uint32_t l = 1; l < segments; ++l) push(band.at(outward, edge.part, l, segments));
-  } else {
+  if (edge.kind == SurfaceEdgeKind::crease) {
     const CutPatches &cut = surface().cut_patches();
     const uint32_t start = map().origin(2 * c);
-    const CreasePoints points(map(), c, start);
+    const CirclePoints points = points_of_crease(map(), c, start);
     const uint32_t both[2] = {cut.vertex_of_arc(edge.source), cut.arc(edge.source).across};
     for (uint32_t k = start == no_id ? 0 : 1; k < segments; ++k) {
       vertices.push(at_creases(points.at(k, segments), both, 2));
     }
+    return;
+  }
+  const SaddleBand band = band_of(edge.element());
+  const uint32_t side = map().side_of(edge.element());
+  for (uint32_t k = edge.kind == SurfaceEdgeKind::circle_rim ? 0 : 1; k < segments; ++k) {
+    const SaddleBand::Point point = edge.kind == SurfaceEdgeKind::side
+                                        ? band.at(band.outward_at_end(1 - side), edge.part, k, segments)
+                                        : band.on_ball(side, band.outward(k, segments));
+    vertices.push(vertex_of_band(balls(), point));
   }
 }
 

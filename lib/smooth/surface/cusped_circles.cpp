@@ -41,7 +41,7 @@ bool CuspedCircles::find(const ActualBalls &actual, Patience &patience) {
       if (other < i) continue;
       if (other != last) {
         has = circle_has_cusps(actual, i, other);
-        if (has) circle_.push({{i, other}, e, arcs_});
+        if (has) circle_.push({{i, other}, LoopElement::arc(e), arcs_});
       }
       last = other;
       if (has) ++arcs_;
@@ -52,7 +52,7 @@ bool CuspedCircles::find(const ActualBalls &actual, Patience &patience) {
     if (!patience.allows(100)) return false;
     const CircleRecord &circle = boundary.circle(c);
     if (circle_has_cusps(actual, circle.ball[0], circle.ball[1]))
-      circle_.push({{circle.ball[0], circle.ball[1]}, c, arcs_});
+      circle_.push({{circle.ball[0], circle.ball[1]}, LoopElement::circle({c, 0}), saddles()});
   }
   return true;
 }
@@ -66,16 +66,17 @@ uint32_t CuspedCircles::of_arc(uint32_t a, uint32_t b) const {
   return no_id;
 }
 
-uint32_t CuspedCircles::half_edge(uint32_t arc_number) const {
-  const auto is_behind = [this, arc_number](uint32_t k) { return circle_[k].first_arc > arc_number; };
-  const Circle &circle = circle_[first_index(1, first_whole_, is_behind) - 1];
-  return circle.element + (arc_number - circle.first_arc);
+LoopElement CuspedCircles::element(uint32_t saddle_number) const {
+  const auto is_behind = [this, saddle_number](uint32_t k) { return circle_[k].first_saddle > saddle_number; };
+  const Circle &circle = circle_[first_index(1, count(), is_behind) - 1];
+  return LoopElement::from_code(circle.element.code() + (saddle_number - circle.first_saddle));
 }
 
 uint32_t CuspedCircles::of_circle(uint32_t circle) const {
-  const uint32_t k =
-      first_index(first_whole_, count(), [this, circle](uint32_t c) { return circle_[c].element >= circle; });
-  return k < count() && circle_[k].element == circle ? k : no_id;
+  const LoopElement element = LoopElement::circle({circle, 0});
+  const auto is_from_there = [this, element](uint32_t k) { return circle_[k].element.code() >= element.code(); };
+  const uint32_t k = first_index(first_whole_, count(), is_from_there);
+  return begins_with(k, element) ? k : no_id;
 }
 
 }  // namespace hsp

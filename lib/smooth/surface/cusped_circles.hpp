@@ -18,36 +18,31 @@ class CuspedCircles {
   // The number of circles, also if there is no room for all.
   uint64_t required() const { return circle_.required(); }
   uint32_t count() const { return circle_.size(); }
-  // The number of arcs on these circles, and of those circles that are free as a whole.
+  // The number of arcs on these circles; and of their saddles, one for each arc and for each circle that is free as a
+  // whole, also if there is no room for all.
   uint32_t arcs() const { return arcs_; }
-  uint32_t whole_circles() const { return clamped_count(required()) - first_whole_; }
+  uint32_t saddles() const { return arcs_ + (clamped_count(required()) - first_whole_); }
 
   // The number of a circle with arcs, by its two balls, or of a circle that is free as a whole; no_id if it has no
   // cusps.
   uint32_t of_arc(uint32_t a, uint32_t b) const;
   uint32_t of_circle(uint32_t circle) const;
-  // Whether circle k is that of two balls a < b with arcs, or this one that is free as a whole; false if there is no
-  // circle k.
-  bool is_of_arc(uint32_t k, uint32_t a, uint32_t b) const {
-    return k < first_whole_ && circle_[k].ball[0] == a && circle_[k].ball[1] == b;
+  // Whether the first element on ball 0 of circle k is this one; false if there is no circle k.
+  bool begins_with(uint32_t k, LoopElement element) const { return k < count() && circle_[k].element == element; }
+  // Saddles of these circles have consecutive numbers, those of arcs first. The number of a saddle from its element on
+  // ball 0 of circle k, and that element from the number.
+  uint32_t saddle_number(uint32_t k, LoopElement element) const {
+    return circle_[k].first_saddle + (element.code() - circle_[k].element.code());
   }
-  bool is_of_circle(uint32_t k, uint32_t circle) const {
-    return k >= first_whole_ && k < count() && circle_[k].element == circle;
-  }
-  // Arcs on these circles have consecutive numbers. The number of an arc from its half-edge on ball 0 of circle k, and
-  // that half-edge from the number.
-  uint32_t arc_number(uint32_t k, uint32_t half_edge) const {
-    return circle_[k].first_arc + (half_edge - circle_[k].element);
-  }
-  uint32_t half_edge(uint32_t arc_number) const;
+  LoopElement element(uint32_t saddle_number) const;
   uint32_t first_whole() const { return first_whole_; }
-  // half_edges: those on ball 0 of circle k, which have consecutive ids; none if it is free as a whole. whole_circle:
-  // the id of such a circle in the boundary.
+  // Those on ball 0 of circle k, which have consecutive ids; none if it is free as a whole.
   IdRange half_edges(uint32_t k) const {
-    const uint32_t first = circle_[k].element, behind = k + 1 < count() ? circle_[k + 1].first_arc : arcs_;
-    return {first, first + (behind - circle_[k].first_arc)};
+    if (k >= first_whole_) return {};
+    const uint32_t first = circle_[k].element.half_edge();
+    const uint32_t behind = k + 1 < count() ? circle_[k + 1].first_saddle : arcs_;
+    return {first, first + (behind - circle_[k].first_saddle)};
   }
-  uint32_t whole_circle(uint32_t k) const { return circle_[k].element; }
   // The number 2 k + s of the cusp of the circle of balls a and b on the side of ball `at`; no_id if the circle has
   // none.
   uint32_t cusp(uint32_t a, uint32_t b, uint32_t at) const {
@@ -60,8 +55,8 @@ class CuspedCircles {
  private:
   struct Circle {
     uint32_t ball[2];
-    uint32_t element;    // the first half-edge of this circle on ball[0], or the circle
-    uint32_t first_arc;  // number of arcs on the circles before
+    LoopElement element;    // the first half-edge of this circle on ball[0], or the circle
+    uint32_t first_saddle;  // number of saddles of the circles before
   };
 
   FixedVector<Circle> circle_;  // those with arcs by their first ball, then those free as a whole by their ids

@@ -74,7 +74,7 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, Pat
   if (status != Status::ok) return status;
   surface_.touching_.count();
   if (!surface_.concave_.measure(balls, boundary, grid_.positions(), cut, patience)) return Status::stopped;
-  surface_.counts_.cusped_arcs = cusped.arcs() + cusped.whole_circles();
+  surface_.counts_.cusped_arcs = cusped.saddles();
   surface_.shells_.find(boundary, cusped, cut, patience);
   return patience.allows(0) ? Status::ok : Status::stopped;
 }

@@ -203,7 +203,7 @@ class SurfaceChecker : FirstViolation<SurfaceInvariant> {
     }
     for (uint32_t id = 0; id < map_.patch_count(); ++id) {
       if (!map_.is_chosen(id)) continue;
-      const PatchMeasure measure = measure_patch(map_, id);
+      const BallMeasure measure = measure_patch(map_, id);
       area.add(-measure.area);
       volume.add(-measure.volume);
     }
@@ -214,7 +214,7 @@ class SurfaceChecker : FirstViolation<SurfaceInvariant> {
   // x x dx along them (Stokes). The outward normal of a sphere is along the radius, or against it.
   void check_patch(uint32_t id) {
     const SurfacePatch record = map_.patch(id);
-    const PatchMeasure measure = measure_patch(map_, id);
+    const BallMeasure measure = measure_patch(map_, id);
     if (!(measure.area >= 0.0)) fail(SurfaceInvariant::areas, id);
     if (record.kind != PatchKind::convex && record.kind != PatchKind::concave) return;
     Position centre;

@@ -4,35 +4,34 @@ namespace hsp {
 
 // ---- numbers ----
 
-uint32_t SurfaceMap::arc_of(uint32_t half_edge) const {
+uint32_t SurfaceMap::saddle_of(LoopElement e) const {
+  if (e.is_circle()) return boundary_.arc_count() + e.closed_half_edge().circle();
   const RankedBits &first = surface_.first_half_edges();
-  return first.rank(first.has(half_edge) ? half_edge : boundary_.twin(half_edge));
+  return first.rank(first.has(e.half_edge()) ? e.half_edge() : boundary_.twin(e.half_edge()));
 }
 
-uint32_t SurfaceMap::side_of(uint32_t half_edge) const {
-  return balls_.given_before(boundary_.ball_of(half_edge), boundary_.half_edge(half_edge).circle) ? 0 : 1;
+uint32_t SurfaceMap::side_of(LoopElement e) const {
+  return balls_.given_before(boundary_.ball_of(e), boundary_.neighbour(e)) ? 0 : 1;
 }
 
-uint32_t SurfaceMap::half_edge_of(uint32_t arc, uint32_t side) const {
-  const uint32_t first = surface_.first_half_edges().member(arc);
-  return side_of(first) == side ? first : boundary_.twin(first);
+LoopElement SurfaceMap::element_of(uint32_t saddle, uint32_t side) const {
+  const uint32_t arcs = boundary_.arc_count();
+  const LoopElement first = saddle < arcs ? LoopElement::arc(surface_.first_half_edges().member(saddle))
+                                          : LoopElement::circle({saddle - arcs, 0});
+  return side_of(first) == side ? first : across(first);
 }
 
-uint32_t SurfaceMap::cusped_circle_of(uint32_t half_edge) const {
+uint32_t SurfaceMap::cusped_circle_of(LoopElement e) const {
   const CuspedCircles &cusped = surface_.cusped_circles();
   if (cusped.count() == 0) return no_id;
-  return cusped.of_arc(boundary_.ball_of(half_edge), boundary_.half_edge(half_edge).circle);
+  return e.is_circle() ? cusped.of_circle(e.closed_half_edge().circle())
+                       : cusped.of_arc(boundary_.ball_of(e), boundary_.neighbour(e));
 }
 
 // Its circle must have cusps.
-uint32_t SurfaceMap::cusped_arc_of(uint32_t half_edge) const {
-  const bool on_first = boundary_.ball_of(half_edge) < boundary_.half_edge(half_edge).circle;
-  return surface_.cusped_circles().arc_number(cusped_circle_of(half_edge),
-                                              on_first ? half_edge : boundary_.twin(half_edge));
-}
-
-uint32_t SurfaceMap::circle_side_of(ClosedHalfEdge e) const {
-  return balls_.given_before(boundary_.ball_of(e), boundary_.neighbour(e)) ? 0 : 1;
+uint32_t SurfaceMap::cusped_saddle_of(LoopElement e) const {
+  const bool on_first = boundary_.ball_of(e) < boundary_.neighbour(e);
+  return surface_.cusped_circles().saddle_number(cusped_circle_of(e), on_first ? e : across(e));
 }
 
 uint32_t SurfaceMap::concave_patch(uint32_t vertex, uint32_t piece) const {
@@ -48,9 +47,8 @@ uint32_t SurfaceMap::patch_of_piece(uint32_t piece) const {
 uint32_t SurfaceMap::face_beside(uint32_t id) const {
   const SurfacePatch record = patch(id);
   if (record.kind == PatchKind::convex) return record.source;
-  if (record.kind == PatchKind::saddle) return boundary_.face_of(half_edge_of(record.source, record.part));
   if (record.kind == PatchKind::concave) return face_at_vertex(boundary_, record.source);
-  return boundary_.face_of_loop(boundary_.loop_of(circle_on(record.source, record.part)));
+  return boundary_.face_of(element_of(record.source, record.part));
 }
 
 uint32_t SurfaceMap::shell_of(uint32_t id) const {
@@ -90,66 +88,51 @@ uint32_t SurfaceMap::cusp_at(uint32_t circle, uint32_t ball) const {
 }
 
 SurfacePatch SurfaceMap::patch(uint32_t id) const {
-  const CuspedCircles &cusped = surface_.cusped_circles();
   const CutPatches &cut = surface_.cut_patches();
   if (id < first_saddle()) return {PatchKind::convex, id, 0};
-  if (id < first_circle_saddle()) return {PatchKind::saddle, id - first_saddle(), 0};
-  if (id < first_concave()) return {PatchKind::circle_saddle, id - first_circle_saddle(), 0};
+  if (id < first_concave()) return saddle_patch(id - first_saddle(), 0);
   if (id < first_extra_saddle()) {
     const uint32_t vertex = id - first_concave();
     return {PatchKind::concave, vertex, cut.is_cut(vertex) ? cut.pieces(vertex).first : no_id};
   }
-  if (id < first_extra_circle()) return {PatchKind::saddle, arc_of(cusped.half_edge(id - first_extra_saddle())), 1};
   if (id < first_extra_piece()) {
-    return {PatchKind::circle_saddle, cusped.whole_circle(cusped.first_whole() + (id - first_extra_circle())), 1};
+    return saddle_patch(saddle_of(surface_.cusped_circles().element(id - first_extra_saddle())), 1);
   }
   const uint32_t piece = cut.extra_pieces().member(id - first_extra_piece());
   return {PatchKind::concave, cut.piece(piece).vertex, piece};
 }
 
 SurfaceEdge SurfaceMap::edge(uint32_t id) const {
-  if (id < first_circle_rim()) return {SurfaceEdgeKind::rim, half_edge_of(id / 2, id % 2), 0};
   if (id < first_side()) {
-    const uint32_t k = id - first_circle_rim();
-    return {SurfaceEdgeKind::circle_rim, circle_on(k / 2, k % 2).id(), 0};
+    const LoopElement e = element_of(id / 2, id % 2);
+    return {e.is_circle() ? SurfaceEdgeKind::circle_rim : SurfaceEdgeKind::rim, e.code(), 0};
   }
   // End e of an arc is where the half-edge on its ball 1 - e starts.
   if (id < first_extra_side()) {
     const uint32_t k = id - first_side();
-    return {SurfaceEdgeKind::side, half_edge_of(k / 2, 1 - k % 2), 0};
+    return {SurfaceEdgeKind::side, element_of(k / 2, 1 - k % 2).code(), 0};
   }
   if (id < first_crease()) {
     const uint32_t k = id - first_extra_side();
-    return {SurfaceEdgeKind::side, half_edge_of(arc_of(surface_.cusped_circles().half_edge(k / 2)), 1 - k % 2), 1};
+    const uint32_t arc = saddle_of(surface_.cusped_circles().element(k / 2));
+    return {SurfaceEdgeKind::side, element_of(arc, 1 - k % 2).code(), 1};
   }
   return {SurfaceEdgeKind::crease, surface_.cut_patches().creases().member(id - first_crease()), 0};
 }
 
 // ---- directed edges ----
 
-uint32_t SurfaceMap::along_rim(uint32_t half_edge) const {
-  const uint32_t side = side_of(half_edge);
-  return 2 * (2 * arc_of(half_edge) + side) + (1 - side);
-}
-
-uint32_t SurfaceMap::along_circle_rim(ClosedHalfEdge e) const {
-  const uint32_t side = circle_side_of(e);
-  return 2 * (first_circle_rim() + 2 * e.circle() + side) + (1 - side);
+uint32_t SurfaceMap::along_rim(LoopElement e) const {
+  const uint32_t side = side_of(e);
+  return 2 * (2 * saddle_of(e) + side) + (1 - side);
 }
 
 uint32_t SurfaceMap::side_of_saddle(uint32_t half_edge, bool at_other) const {
-  const uint32_t side = side_of(half_edge);
-  const bool is_extra = (side == 1) != at_other && cusped_circle_of(half_edge) != no_id;
-  const uint32_t id =
-      is_extra ? first_extra_side() + 2 * cusped_arc_of(half_edge) : first_side() + 2 * arc_of(half_edge);
+  const LoopElement e = LoopElement::arc(half_edge);
+  const uint32_t side = side_of(e);
+  const bool is_extra = (side == 1) != at_other && cusped_circle_of(e) != no_id;
+  const uint32_t id = is_extra ? first_extra_side() + 2 * cusped_saddle_of(e) : first_side() + 2 * saddle_of(e);
   return 2 * (id + (1 - side)) + side;
-}
-
-uint32_t SurfaceMap::half_edge_on_circle(uint32_t vertex, uint32_t opposite) const {
-  const VertexRecord &record = boundary_.vertex(vertex);
-  const uint32_t e = boundary_.half_edge_at(vertex, (opposite + 1) % 3);
-  return boundary_.half_edge(e).circle != record.ball[opposite] ? e
-                                                                : boundary_.half_edge_at(vertex, (opposite + 2) % 3);
 }
 
 // In the concave patch a side runs towards the ball of its half-edge.
@@ -160,8 +143,8 @@ uint32_t SurfaceMap::edge_of_patch_arc(uint32_t arc) const {
     const uint32_t first = arc < record.twin ? arc : record.twin;
     return 2 * (first_crease() + cut.creases().rank(first)) + (arc == first ? 0 : 1);
   }
-  const uint32_t vertex = cut.vertex_of_arc(arc);
-  return twin(side_of_saddle(half_edge_on_circle(vertex, record.slot()), record.corner < first_cusp()));
+  const uint32_t vertex = cut.vertex_of_arc(arc), on = side_of_patch(boundary_.vertex(vertex), record.slot()).first;
+  return twin(side_of_saddle(boundary_.half_edge_at(vertex, on), record.corner < first_cusp()));
 }
 
 uint32_t SurfaceMap::patch_arc_of_side(uint32_t half_edge, uint32_t part) const {
@@ -170,8 +153,9 @@ uint32_t SurfaceMap::patch_arc_of_side(uint32_t half_edge, uint32_t part) const 
   const VertexRecord &record = boundary_.vertex(vertex);
   const uint32_t opposite =
       3 - record.slot_of(boundary_.ball_of(half_edge)) - record.slot_of(boundary_.half_edge(half_edge).circle);
-  const bool has_parts = cusped_circle_of(half_edge) != no_id;
-  const bool at_other = part != side_of(half_edge);
+  const LoopElement e = LoopElement::arc(half_edge);
+  const bool has_parts = cusped_circle_of(e) != no_id;
+  const bool at_other = part != side_of(e);
   for (const uint32_t a : cut.arcs_of_vertex(vertex)) {
     const PatchArc &arc = cut.arc(a);
     if (arc.is_side() && arc.slot() == opposite && (!has_parts || (arc.corner < first_cusp()) == at_other)) return a;
@@ -197,19 +181,17 @@ uint32_t SurfaceMap::side_after(uint32_t half_edge) const {
 SurfaceMap::Directed SurfaceMap::directed(uint32_t h) const {
   Directed d{edge(h / 2), no_id, false, false};
   const bool forward = h % 2 == 0;
-  if (d.edge.kind == SurfaceEdgeKind::rim) {
-    d.outward = forward == (side_of(d.edge.source) == 1);
-  } else if (d.edge.kind == SurfaceEdgeKind::circle_rim) {
-    d.outward = forward == (circle_side_of(ClosedHalfEdge::from_id(d.edge.source)) == 1);
-  } else if (d.edge.kind == SurfaceEdgeKind::side) {
-    const uint32_t side = side_of(d.edge.source);
-    d.outward = forward != (side == 0);
-    d.at_other = cusped_circle_of(d.edge.source) != no_id && d.edge.part != side;
-    const uint32_t vertex = boundary_.half_edge(d.edge.source).vertex;
-    d.arc = d.outward && surface_.cut_patches().is_cut(vertex) ? patch_arc_of_side(d.edge.source, d.edge.part) : no_id;
-  } else {
+  if (d.edge.kind == SurfaceEdgeKind::crease) {
     d.outward = true;
     d.arc = forward ? d.edge.source : surface_.cut_patches().arc(d.edge.source).twin;
+    return d;
+  }
+  const uint32_t side = side_of(d.edge.element());
+  d.outward = forward == (side == 1);
+  if (d.edge.kind == SurfaceEdgeKind::side) {
+    d.at_other = cusped_circle_of(d.edge.element()) != no_id && d.edge.part != side;
+    const uint32_t vertex = boundary_.half_edge(d.edge.source).vertex;
+    d.arc = d.outward && surface_.cut_patches().is_cut(vertex) ? patch_arc_of_side(d.edge.source, d.edge.part) : no_id;
   }
   return d;
 }
@@ -219,12 +201,12 @@ uint32_t SurfaceMap::next(uint32_t h) const {
   const uint32_t e = d.edge.source;
   if (d.edge.kind == SurfaceEdgeKind::circle_rim) return h;
   if (d.edge.kind == SurfaceEdgeKind::rim) {
-    return d.outward ? along_rim(boundary_.half_edge(e).next) : side_of_saddle(e, false);
+    return d.outward ? along_rim(LoopElement::arc(boundary_.half_edge(e).next)) : side_of_saddle(e, false);
   }
   if (d.outward && d.arc != no_id) return edge_of_patch_arc(surface_.cut_patches().arc(d.arc).next);
   if (d.outward) return twin(side_of_saddle(side_after(e), false));
-  const bool has_parts = cusped_circle_of(e) != no_id;
-  return has_parts && !d.at_other ? side_of_saddle(boundary_.twin(e), true) : twin(along_rim(boundary_.twin(e)));
+  const bool has_parts = cusped_circle_of(d.edge.element()) != no_id;
+  return has_parts && !d.at_other ? side_of_saddle(boundary_.twin(e), true) : twin(along_rim(across(d.edge.element())));
 }
 
 uint32_t SurfaceMap::previous(uint32_t h) const {
@@ -232,31 +214,24 @@ uint32_t SurfaceMap::previous(uint32_t h) const {
   const uint32_t e = d.edge.source;
   if (d.edge.kind == SurfaceEdgeKind::circle_rim) return h;
   if (d.edge.kind == SurfaceEdgeKind::rim) {
-    return d.outward ? along_rim(boundary_.twin(side_after(e))) : side_of_saddle(boundary_.twin(e), true);
+    return d.outward ? along_rim(across(LoopElement::arc(side_after(e)))) : side_of_saddle(boundary_.twin(e), true);
   }
   if (d.outward && d.arc != no_id) return edge_of_patch_arc(surface_.cut_patches().previous(d.arc));
   if (d.outward) return twin(side_of_saddle(side_before(e), false));
-  return d.at_other ? side_of_saddle(boundary_.twin(e), false) : twin(along_rim(e));
+  return d.at_other ? side_of_saddle(boundary_.twin(e), false) : twin(along_rim(d.edge.element()));
 }
 
 uint32_t SurfaceMap::left(uint32_t h) const {
   const Directed d = directed(h);
-  const uint32_t e = d.edge.source;
   if (d.arc != no_id) return patch_of_piece(surface_.cut_patches().piece_of_arc(d.arc));
-  if (d.edge.kind == SurfaceEdgeKind::circle_rim) {
-    const ClosedHalfEdge circle = ClosedHalfEdge::from_id(e);
-    if (d.outward) return boundary_.face_of_loop(boundary_.loop_of(circle));
-    const uint32_t k = surface_.cusped_circles().of_circle(circle.circle());
-    return k != no_id && circle_side_of(circle) == 1
-               ? first_extra_circle() + (k - surface_.cusped_circles().first_whole())
-               : first_circle_saddle() + circle.circle();
-  }
+  const LoopElement e = d.edge.element();
   if (d.outward) {
-    return d.edge.kind == SurfaceEdgeKind::rim ? boundary_.face_of(e) : first_concave() + boundary_.half_edge(e).vertex;
+    return d.edge.kind == SurfaceEdgeKind::side ? first_concave() + boundary_.half_edge(e.half_edge()).vertex
+                                                : boundary_.face_of(e);
   }
   const uint32_t part = side_of(e) ^ (d.at_other ? 1U : 0U);
-  return part == 1 && cusped_circle_of(e) != no_id ? first_extra_saddle() + cusped_arc_of(e)
-                                                   : first_saddle() + arc_of(e);
+  return part == 1 && cusped_circle_of(e) != no_id ? first_extra_saddle() + cusped_saddle_of(e)
+                                                   : first_saddle() + saddle_of(e);
 }
 
 uint32_t SurfaceMap::origin(uint32_t h) const {
@@ -268,7 +243,7 @@ uint32_t SurfaceMap::origin(uint32_t h) const {
   const uint32_t vertex = boundary_.half_edge(e).vertex;
   if (d.edge.kind == SurfaceEdgeKind::rim) return corner_at(d.outward ? vertex : boundary_.end_vertex(e), own);
   const uint32_t other = boundary_.half_edge(e).circle;
-  const uint32_t circle = cusped_circle_of(e);
+  const uint32_t circle = cusped_circle_of(d.edge.element());
   if (circle == no_id) return corner_at(vertex, d.outward ? other : own);
   // With the saddle on its left, a side runs from the own ball to its cusp, and from the other ball's cusp to that
   // ball.
@@ -276,25 +251,19 @@ uint32_t SurfaceMap::origin(uint32_t h) const {
   return d.outward ? cusp_at(circle, own) : corner_at(vertex, own);
 }
 
-uint32_t SurfaceMap::along_loop(LoopElement start) const {
-  return start.is_circle() ? along_circle_rim(start.closed_half_edge()) : along_rim(start.half_edge());
-}
-
 uint32_t SurfaceMap::first_edge(uint32_t id) const {
   const SurfacePatch record = patch(id);
   if (record.kind == PatchKind::convex) {
     const IdRange loops = boundary_.loops_of_face(record.source);
-    return loops.empty() ? no_id : along_loop(boundary_.loop_start(loops.first));
+    return loops.empty() ? no_id : along_rim(boundary_.loop_start(loops.first));
   }
-  if (record.kind == PatchKind::saddle) return twin(along_rim(half_edge_of(record.source, record.part)));
-  if (record.kind == PatchKind::circle_saddle) return twin(along_circle_rim(circle_on(record.source, record.part)));
+  if (record.kind != PatchKind::concave) return twin(along_rim(element_of(record.source, record.part)));
   if (record.part == no_id) return twin(side_of_saddle(boundary_.half_edge_at(record.source, 0), false));
   return edge_of_patch_arc(surface_.cut_patches().arcs(record.part).first);
 }
 
 uint32_t SurfaceMap::next_loop(uint32_t h) const {
   const Directed d = directed(h);
-  const uint32_t e = d.edge.source;
   if (d.arc != no_id) {
     const CutPatches &cut = surface_.cut_patches();
     const IdRange arcs = cut.arcs(cut.piece_of_arc(d.arc));
@@ -302,18 +271,14 @@ uint32_t SurfaceMap::next_loop(uint32_t h) const {
     while (cut.arc(last).next == last + 1) ++last;
     return edge_of_patch_arc(last + 1 < arcs.last ? last + 1 : arcs.first);
   }
-  if (d.outward && (d.edge.kind == SurfaceEdgeKind::rim || d.edge.kind == SurfaceEdgeKind::circle_rim)) {
-    const uint32_t loop = boundary_.loop_of(
-        d.edge.kind == SurfaceEdgeKind::rim ? LoopElement::arc(e) : LoopElement::circle(ClosedHalfEdge::from_id(e)));
+  const LoopElement e = d.edge.element();
+  if (d.outward && d.edge.kind != SurfaceEdgeKind::side) {
+    const uint32_t loop = boundary_.loop_of(e);
     const IdRange loops = boundary_.loops_of_face(boundary_.face_of_loop(loop));
-    return along_loop(boundary_.loop_start(loop + 1 < loops.last ? loop + 1 : loops.first));
+    return along_rim(boundary_.loop_start(loop + 1 < loops.last ? loop + 1 : loops.first));
   }
-  if (d.edge.kind == SurfaceEdgeKind::circle_rim) {
-    const ClosedHalfEdge circle = ClosedHalfEdge::from_id(e);
-    if (surface_.cusped_circles().of_circle(circle.circle()) != no_id) return h;
-    return twin(along_circle_rim(ClosedHalfEdge(circle.circle(), 1 - circle.side())));
-  }
-  return first_edge(left(h));
+  if (!e.is_circle()) return first_edge(left(h));
+  return cusped_circle_of(e) != no_id ? h : twin(along_rim(across(e)));
 }
 
 }  // namespace hsp

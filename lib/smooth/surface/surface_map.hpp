@@ -1,14 +1,13 @@
 // The smooth surface as a map: patches, edges between two patches each, corners. All ids follow from those of the
 // boundary; exceptions have ids behind these.
 //
-// With F faces, A arcs, C circles and V vertices of the boundary, arcs numbered by the first of their two half-edges:
+// With F faces, A arcs, C circles and V vertices of the boundary, arcs numbered by the first of their two half-edges,
+// and saddles by their arc a, as a, or circle c, as A + c:
 //   patch   f                     convex
-//           F + a                 saddle of arc a; with cusps its part at the ball that the caller gave first
-//           F + A + c             saddle of circle c, likewise
+//           F + k                 saddle k; with cusps its part at the ball that the caller gave first
 //           F + A + C + v         concave patch of vertex v; its first piece if it is cut
-//           then: the other parts of arcs with cusps, of circles with cusps, further pieces of cut patches
-//   edge    2 a + s               between the saddle of arc a and the convex patch on its ball s, in the caller's order
-//           2 A + 2 c + s         the same for circle c
+//           then: the other parts of saddles with cusps, further pieces of cut patches
+//   edge    2 k + s               between saddle k and the convex patch on its ball s, in the caller's order
 //           2 A + 2 C + 2 a + e   the side between the saddle of arc a and the concave patch at its end e; with cusps
 //                                 the part of it at ball 0
 //           then: the parts at ball 1 of sides with cusps, in the same order; creases
@@ -26,7 +25,7 @@ namespace hsp {
 enum class PatchKind : uint8_t { convex, saddle, concave, circle_saddle };
 struct SurfacePatch {
   PatchKind kind;
-  uint32_t source;  // face, arc, circle or vertex
+  uint32_t source;  // face, saddle or vertex
   uint32_t part;    // of a saddle with cusps, the ball (0 or 1) that it lies at; of a concave patch, the id
                     // of its piece among cut patches, no_id if it is whole
 };
@@ -34,9 +33,11 @@ struct SurfacePatch {
 enum class SurfaceEdgeKind : uint8_t { rim, circle_rim, side, crease };
 struct SurfaceEdge {
   SurfaceEdgeKind kind;
-  uint32_t source;  // rim: half-edge on the convex patch's ball; circle_rim: id of the closed half-edge there;
-                    // side: the half-edge that starts at the vertex; crease: arc of cut patches
+  uint32_t source;  // rim, circle_rim: code of the element on the convex patch's ball; side: of the half-edge that
+                    // starts at the vertex; crease: arc of cut patches
   uint32_t part;    // of a side with cusps, the ball (0 or 1) that it lies at
+
+  LoopElement element() const { return LoopElement::from_code(source); }  // not of a crease
 };
 
 class SurfaceMap {
@@ -80,6 +81,8 @@ class SurfaceMap {
 
   uint32_t first_cusp() const { return 3 * boundary_.vertex_count(); }
   uint32_t first_crease_corner() const { return first_cusp() + 2 * surface_.cusped_circles().count(); }
+  // The cusp of a circle with cusps on the side of one of its balls.
+  uint32_t cusp_at(uint32_t circle, uint32_t ball) const;
   // The number of a corner among cusps; no_id for other corners.
   uint32_t cusp_of(uint32_t corner) const {
     return corner >= first_cusp() && corner < first_crease_corner() ? corner - first_cusp() : no_id;
@@ -106,27 +109,23 @@ class SurfaceMap {
     } while (h != loop);
   }
 
-  // Half-edges of arcs.
-  uint32_t arc_of(uint32_t half_edge) const;
-  uint32_t side_of(uint32_t half_edge) const;  // its ball's place among the arc's two balls, in the caller's order
-  uint32_t half_edge_of(uint32_t arc, uint32_t side) const;
-  uint32_t cusped_circle_of(uint32_t half_edge) const;  // no_id if there are no cusps
-  // A whole circle, as seen on its ball number `side`.
-  ClosedHalfEdge circle_on(uint32_t circle, uint32_t side) const {
-    const ClosedHalfEdge first(circle, 0);
-    return circle_side_of(first) == side ? first : ClosedHalfEdge(circle, 1);
+  // Saddles, each by its element on one of its two balls.
+  uint32_t saddle_of(LoopElement e) const;
+  uint32_t side_of(LoopElement e) const;  // the ball's place among the saddle's two, in the caller's order
+  LoopElement element_of(uint32_t saddle, uint32_t side) const;
+  LoopElement across(LoopElement e) const {  // the saddle's element on the other ball
+    if (!e.is_circle()) return LoopElement::arc(boundary_.twin(e.half_edge()));
+    return LoopElement::circle({e.closed_half_edge().circle(), 1 - e.closed_half_edge().side()});
   }
+  uint32_t cusped_circle_of(LoopElement e) const;  // no_id if there are no cusps
 
  private:
   uint32_t first_saddle() const { return boundary_.face_count(); }
-  uint32_t first_circle_saddle() const { return first_saddle() + boundary_.arc_count(); }
-  uint32_t first_concave() const { return first_circle_saddle() + boundary_.circle_count(); }
+  uint32_t first_concave() const { return first_saddle() + boundary_.arc_count() + boundary_.circle_count(); }
   uint32_t first_extra_saddle() const { return first_concave() + boundary_.vertex_count(); }
-  uint32_t first_extra_circle() const { return first_extra_saddle() + surface_.cusped_circles().arcs(); }
-  uint32_t first_extra_piece() const { return first_extra_circle() + surface_.cusped_circles().whole_circles(); }
+  uint32_t first_extra_piece() const { return first_extra_saddle() + surface_.cusped_circles().saddles(); }
 
-  uint32_t first_circle_rim() const { return 2 * boundary_.arc_count(); }
-  uint32_t first_side() const { return first_circle_rim() + 2 * boundary_.circle_count(); }
+  uint32_t first_side() const { return 2 * (boundary_.arc_count() + boundary_.circle_count()); }
   uint32_t first_extra_side() const { return first_side() + 2 * boundary_.arc_count(); }
   uint32_t first_crease() const { return first_extra_side() + 2 * surface_.cusped_circles().arcs(); }
 
@@ -142,25 +141,24 @@ class SurfaceMap {
   };
   Directed directed(uint32_t h) const;
 
-  // A rim has its convex patch on its left in the direction of its half-edge.
-  uint32_t along_rim(uint32_t half_edge) const;
-  uint32_t along_circle_rim(ClosedHalfEdge e) const;
-  uint32_t along_loop(LoopElement start) const;
+  // A rim has its convex patch on its left in the direction of its element.
+  uint32_t along_rim(LoopElement e) const;
   // The side at the start of a half-edge, its part at the half-edge's ball or at the other one, with the saddle patch
   // on its left: it runs away from the half-edge's ball.
   uint32_t side_of_saddle(uint32_t half_edge, bool at_other) const;
   uint32_t edge_of_patch_arc(uint32_t arc) const;
   uint32_t patch_arc_of_side(uint32_t half_edge, uint32_t part) const;
-  // The half-edge that starts at a vertex on the circle of its two balls that are not in slot `opposite`. Around the
-  // concave patch, the half-edges of the sides before and after that of a half-edge.
-  uint32_t half_edge_on_circle(uint32_t vertex, uint32_t opposite) const;
+  // Around the concave patch, the half-edges of the sides before and after that of a half-edge.
   uint32_t side_before(uint32_t half_edge) const;
   uint32_t side_after(uint32_t half_edge) const;
 
-  uint32_t circle_side_of(ClosedHalfEdge e) const;
-  uint32_t cusped_arc_of(uint32_t half_edge) const;
+  // A saddle as a patch: the part at ball 0, or the part at ball 1 if there are cusps.
+  SurfacePatch saddle_patch(uint32_t saddle, uint32_t part) const {
+    return {saddle < boundary_.arc_count() ? PatchKind::saddle : PatchKind::circle_saddle, saddle, part};
+  }
+  // The number of a saddle among those with cusps.
+  uint32_t cusped_saddle_of(LoopElement e) const;
   uint32_t corner_at(uint32_t vertex, uint32_t ball) const;
-  uint32_t cusp_at(uint32_t circle, uint32_t ball) const;
   // The shell at a cusp beside a half-edge on ball 0 of its circle.
   uint32_t shell_at_cusp(uint32_t cusp, uint32_t half_edge) const {
     return surface_.shells().of_face(boundary_.face_of(cusp % 2 == 0 ? half_edge : boundary_.twin(half_edge)));

@@ -106,13 +106,13 @@ ArcPosition position_of_side(const SurfaceMap &map, const SurfaceEdge &edge) {
   const Position centre = position_of_vertex(balls, boundary, boundary.half_edge(edge.source).vertex);
   const uint32_t own = boundary.ball_of(edge.source);
   const uint32_t other = boundary.half_edge(edge.source).circle;
-  const bool first = map.side_of(edge.source) == 0;
+  const bool first = map.side_of(edge.element()) == 0;
   const double p = static_cast<double>(balls.probe_steps);
   const Vec3 from = towards(balls, centre, first ? own : other);
   const Vec3 to = towards(balls, centre, first ? other : own);
   const Vec3 normal = cross(from, to);
   double angle = arc_tangent(std::sqrt(dot(normal, normal)), dot(from, to));
-  if (map.cusped_circle_of(edge.source) != no_id) {
+  if (map.cusped_circle_of(edge.element()) != no_id) {
     const uint32_t ball = (edge.part == 0) == first ? own : other;
     const CircleGeometry circle(balls, ball, ball == own ? other : own);
     const double to_cusp = half_way_between_cusps(balls, own, other);
@@ -146,15 +146,12 @@ ArcPosition position_of_edge(const SurfaceMap &map, uint32_t edge) {
   const BallSet &balls = map.balls();
   const Boundary &boundary = map.boundary();
   const SurfaceEdge record = map.edge(edge);
-  if (record.kind == SurfaceEdgeKind::rim) {
-    return position_of_rim(balls, boundary.ball_of(record.source), boundary.half_edge(record.source).circle,
-                           angle_of_arc(balls, boundary, record.source));
-  }
-  if (record.kind == SurfaceEdgeKind::circle_rim) {
-    const ClosedHalfEdge circle = ClosedHalfEdge::from_id(record.source);
-    return position_of_rim(balls, boundary.ball_of(circle), boundary.neighbour(circle), 2 * pi);
-  }
   if (record.kind == SurfaceEdgeKind::side) return position_of_side(map, record);
+  if (record.kind != SurfaceEdgeKind::crease) {
+    const LoopElement e = record.element();
+    return position_of_rim(balls, boundary.ball_of(e), boundary.neighbour(e),
+                           e.is_circle() ? 2 * pi : angle_of_arc(balls, boundary, e.half_edge()));
+  }
   const CutPatches &cut = map.surface().cut_patches();
   const PatchArc &arc = cut.arc(record.source);
   const uint32_t vertex = cut.vertex_of_arc(record.source);

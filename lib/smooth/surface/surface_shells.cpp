@@ -32,7 +32,7 @@ void SurfaceShells::join_saddles(const Boundary &boundary, const CuspedCircles &
       const uint32_t other = boundary.half_edge(e).circle;
       if (other < i) continue;
       if (other != last) {
-        whole = !cusped.is_of_arc(next, i, other);
+        whole = !cusped.begins_with(next, LoopElement::arc(e));
         next += whole ? 0 : 1;
       }
       last = other;
@@ -40,7 +40,7 @@ void SurfaceShells::join_saddles(const Boundary &boundary, const CuspedCircles &
     }
   }
   for (uint32_t c = 0; c < boundary.circle_count(); ++c) {
-    if (cusped.is_of_circle(next, c)) {
+    if (cusped.begins_with(next, LoopElement::circle({c, 0}))) {
       ++next;
       continue;
     }

@@ -191,6 +191,7 @@ class Boundary {
     return e.is_circle() ? loop_of(e.closed_half_edge()) : half_edge(e.half_edge()).loop;
   }
   uint32_t face_of(LoopElement e) const { return face_of_loop(loop_of(e)); }
+  uint32_t ball_of(LoopElement e) const { return face(face_of(e)).ball; }
   // The other ball on whose sphere the element lies.
   uint32_t neighbour(LoopElement e) const {
     return e.is_circle() ? neighbour(e.closed_half_edge()) : half_edge(e.half_edge()).circle;

@@ -30,7 +30,7 @@ class ArcBatches {
         fits_(face == no_id && half_edges_.size() + circles_.size() <= ArcBatch::capacity) {}
   // One arc or circle alone.
   ArcBatches(const BallSet &balls, const Boundary &boundary, LoopElement element)
-      : ArcBatches(balls, boundary, boundary.face(boundary.face_of(element)).ball, boundary.face_of(element)) {
+      : ArcBatches(balls, boundary, boundary.ball_of(element), boundary.face_of(element)) {
     half_edges_ = loops_ = {0, 0};
     element_ = element;
     is_single_ = true;

@@ -27,9 +27,10 @@ TEST(BoundaryCurves, BothHalfEdgesOfAnArcHaveOneCurve) {
   ASSERT_TRUE(curves.build(built.balls(), boundary, 100.0, endless));
   ASSERT_EQ(curves.count(), boundary.arc_count());
   for (uint32_t e = 0; e < boundary.half_edge_count(); ++e) {
-    const uint32_t c = curves.of_half_edge(e);
-    EXPECT_EQ(c, curves.of_half_edge(boundary.twin(e)));
-    EXPECT_TRUE(curves.curve(c).element == e || curves.curve(c).element == boundary.twin(e));
+    const hsp::LoopElement own = hsp::LoopElement::arc(e), twin = hsp::LoopElement::arc(boundary.twin(e));
+    const uint32_t c = curves.of(own);
+    EXPECT_EQ(c, curves.of(twin));
+    EXPECT_TRUE(curves.curve(c).element == own || curves.curve(c).element == twin);
   }
 }
 
@@ -45,13 +46,13 @@ TEST(BoundaryCurves, PointsRunAlongTheArc) {
   ASSERT_TRUE(curves.build(balls, boundary, 100.0, endless));
   for (uint32_t c = 0; c < curves.count(); ++c) {
     const hsp::MeshCurve &curve = curves.curve(c);
-    const hsp::CurvePoints points(balls, boundary, curve, false);
+    const hsp::CirclePoints points = hsp::points_of_curve(balls, boundary, curve.element);
     const uint32_t own = boundary.ball_of(curve.element);
-    const uint32_t other = boundary.half_edge(curve.element).circle;
+    const uint32_t other = boundary.neighbour(curve.element);
     const uint32_t third = 3 - own - other;
     hsp::Position last{};
     for (uint32_t k = 0; k <= curve.segments; ++k) {
-      const hsp::Position p = points.at(k);
+      const hsp::Position p = points.at(k, curve.segments);
       EXPECT_NEAR(distance_to(balls, own, p), balls.r[own], 1e-9);
       EXPECT_NEAR(distance_to(balls, other, p), balls.r[other], 1e-9);
       if (k > 0 && k < curve.segments) {
@@ -64,7 +65,7 @@ TEST(BoundaryCurves, PointsRunAlongTheArc) {
       last = p;
     }
     EXPECT_NEAR(distance_to(balls, third, last), balls.r[third], 1e-9);
-    EXPECT_NEAR(distance_to(balls, third, points.at(0)), balls.r[third], 1e-9);
+    EXPECT_NEAR(distance_to(balls, third, points.at(0, curve.segments)), balls.r[third], 1e-9);
   }
 }
 
@@ -76,15 +77,16 @@ TEST(BoundaryCurves, CirclesCloseAndMayBeEnlarged) {
   hsp::Patience endless;
   ASSERT_TRUE(curves.build(built.balls(), built.boundary(), 100.0, endless));
   ASSERT_EQ(curves.count(), 1U);
-  ASSERT_TRUE(curves.is_circle(0));
   const hsp::MeshCurve &curve = curves.curve(0);
-  const hsp::CurvePoints points(built.balls(), built.boundary(), curve, true);
-  const hsp::Vec3 gap = points.at(0).offset - points.at(curve.segments).offset;
+  ASSERT_TRUE(curve.element.is_circle());
+  const hsp::CirclePoints points = hsp::points_of_curve(built.balls(), built.boundary(), curve.element);
+  const hsp::Position first = points.at(0, curve.segments);
+  const hsp::Vec3 gap = first.offset - points.at(curve.segments, curve.segments).offset;
   EXPECT_NEAR(dot(gap, gap), 0.0, 1e-18);
-  const double radius = distance_to(built.balls(), points.at(0).ball, points.at(0));
-  const hsp::CurvePoints wider(built.balls(), built.boundary(), curve, true, 5000.0);
-  EXPECT_NEAR(radius, built.balls().r[points.at(0).ball], 1e-9);
-  EXPECT_GT(distance_to(built.balls(), points.at(0).ball, wider.at(0)), 4999.0);
+  const double radius = distance_to(built.balls(), first.ball, first);
+  const hsp::CirclePoints wider = hsp::points_of_curve(built.balls(), built.boundary(), curve.element, 5000.0);
+  EXPECT_NEAR(radius, built.balls().r[first.ball], 1e-9);
+  EXPECT_GT(distance_to(built.balls(), first.ball, wider.at(0, curve.segments)), 4999.0);
 }
 
 TEST(BoundaryCurves, RefusesMorePointsThanAnyLimitAllows) {

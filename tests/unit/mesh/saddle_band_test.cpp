@@ -57,7 +57,7 @@ TEST(SaddleBand, OfAWholeCircle) {
   ASSERT_EQ(built.boundary().circle_count(), 1U);
   const uint32_t side =
       built.balls().given_before(built.boundary().circle(0).ball[0], built.boundary().circle(0).ball[1]) ? 1 : 0;
-  check_band(built, {built.balls(), built.boundary(), hsp::ClosedHalfEdge(0, side), false}, 0.0);
+  check_band(built, {built.balls(), built.boundary(), hsp::LoopElement::circle({0, side}), false}, 0.0);
 }
 
 // rho^2 = 3100^2 - 3050^2, and the cusps are sqrt(p^2 - rho^2) from the middle.
@@ -70,7 +70,7 @@ TEST(SaddleBand, WithCusps) {
   const uint32_t side =
       built.balls().given_before(built.boundary().circle(0).ball[0], built.boundary().circle(0).ball[1]) ? 1 : 0;
   const double rho_squared = 3100.0 * 3100.0 - 3050.0 * 3050.0;
-  check_band(built, {built.balls(), built.boundary(), hsp::ClosedHalfEdge(0, side), true},
+  check_band(built, {built.balls(), built.boundary(), hsp::LoopElement::circle({0, side}), true},
              2 * std::sqrt(1400.0 * 1400.0 - rho_squared));
 }
 
@@ -83,7 +83,7 @@ TEST(SaddleBand, OfArcs) {
   ASSERT_EQ(built.boundary().arc_count(), 3U);
   for (uint32_t e = 0; e < built.boundary().half_edge_count(); ++e) {
     if (built.balls().given_before(built.boundary().ball_of(e), built.boundary().half_edge(e).circle)) continue;
-    const hsp::SaddleBand band(built.balls(), built.boundary(), e, false);
+    const hsp::SaddleBand band(built.balls(), built.boundary(), hsp::LoopElement::arc(e), false);
     check_band(built, band, 0.0);
     // It ends where the arc does.
     const hsp::Position end = hsp::position_of_vertex(built.balls(), built.boundary(), built.boundary().end_vertex(e));

@@ -49,7 +49,7 @@ TEST(SurfaceCurves, PointsOfCreases) {
       if (edge.kind != hsp::SurfaceEdgeKind::crease) continue;
       const uint32_t start = curves.map().origin(2 * c);
       const uint32_t segments = curves.curve(c).segments;
-      const hsp::CreasePoints points(curves.map(), c, start);
+      const hsp::CirclePoints points = hsp::points_of_crease(curves.map(), c, start);
       const uint32_t probe[2] = {cut.vertex_of_arc(edge.source), cut.arc(edge.source).across};
       for (uint32_t k = 0; k <= segments; ++k) {
         for (const uint32_t v : probe) {

@@ -27,11 +27,11 @@ inline uint32_t circles_with_cusps() {
     cusped.carve(workspace, 4);
     hsp::Patience endless;
     cusped.find({small_union().balls(), small_union().boundary()}, endless);
-    if (cusped.required() != c.circles || cusped.whole_circles() != c.whole || cusped.arcs() != c.arcs) return false;
+    if (cusped.required() != c.circles || cusped.saddles() != c.whole + c.arcs || cusped.arcs() != c.arcs) return false;
     for (uint32_t k = 0; k < cusped.count(); ++k) {
       const bool is_whole = cusped.half_edges(k).empty();
-      const uint32_t found =
-          is_whole ? cusped.of_circle(cusped.whole_circle(k)) : cusped.of_arc(cusped.ball(k, 0), cusped.ball(k, 1));
+      const uint32_t found = is_whole ? cusped.of_circle(cusped.element(k).closed_half_edge().circle())
+                                      : cusped.of_arc(cusped.ball(k, 0), cusped.ball(k, 1));
       if (found != k || is_whole != (c.whole == 1)) return false;
     }
     return cusped.of_arc(0, 99) == hsp::no_id && cusped.of_circle(99) == hsp::no_id;

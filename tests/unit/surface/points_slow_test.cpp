@@ -59,10 +59,10 @@ class RandomPoints {
     }
     const hsp::SurfaceMap map(balls(), boundary, built_.surface());
     for (uint32_t arc = 0; arc < boundary.arc_count(); ++arc) {
-      const uint32_t half_edge = map.half_edge_of(arc, 1);
-      const bool has_cusps = map.cusped_circle_of(half_edge) != hsp::no_id;
+      const hsp::LoopElement element = map.element_of(arc, 1);
+      const bool has_cusps = map.cusped_circle_of(element) != hsp::no_id;
       if (has_cusps) ++tally_.cusped;
-      for (uint32_t k = 0; k < saddle_points; ++k) ask_saddle(half_edge, has_cusps);
+      for (uint32_t k = 0; k < saddle_points; ++k) ask_saddle(element, has_cusps);
     }
   }
 
@@ -121,8 +121,8 @@ class RandomPoints {
     expect_on_surface(centre, w, above < 0);
   }
 
-  void ask_saddle(uint32_t half_edge, bool has_cusps) {
-    const hsp::SaddleBand band(balls(), built_.boundary(), half_edge, has_cusps);
+  void ask_saddle(hsp::LoopElement element, bool has_cusps) {
+    const hsp::SaddleBand band(balls(), built_.boundary(), element, has_cusps);
     const Vec3 outward = band.outward(1 + random_.below(62), 64);
     const hsp::Position centre = band.probe(outward);
     const Vec3 cone[] = {direction(centre, band.ball(0)), direction(centre, band.ball(1))};

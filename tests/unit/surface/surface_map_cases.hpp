@@ -36,10 +36,11 @@ inline uint32_t numbers_of_arcs() {
     const hsp::SurfaceMap map = small_map();
     const hsp::Boundary &boundary = small_union().boundary();
     for (uint32_t e = 0; e < boundary.half_edge_count(); ++e) {
-      const uint32_t arc = map.arc_of(e);
-      const uint32_t side = map.side_of(e);
-      if (map.arc_of(boundary.twin(e)) != arc || map.side_of(boundary.twin(e)) != 1 - side) return seed;
-      if (map.half_edge_of(arc, side) != e || arc >= boundary.arc_count()) return seed;
+      const hsp::LoopElement own = hsp::LoopElement::arc(e), twin = hsp::LoopElement::arc(boundary.twin(e));
+      const uint32_t arc = map.saddle_of(own);
+      const uint32_t side = map.side_of(own);
+      if (map.saddle_of(twin) != arc || map.side_of(twin) != 1 - side || map.across(own) != twin) return seed;
+      if (map.element_of(arc, side) != own || arc >= boundary.arc_count()) return seed;
       // The rim of the arc on this ball: its convex patch is the face.
       const uint32_t rim = 2 * (2 * arc + side);
       if (map.left(rim + 1 - side) != boundary.face_of(e)) return seed;

@@ -12,7 +12,7 @@ inline bool patches_sum_to_total() {
   double area[4] = {0, 0, 0, 0};
   double volume = 0;
   for (uint32_t patch = 0; patch < map.patch_count(); ++patch) {
-    const hsp::PatchMeasure measure = hsp::measure_patch(map, patch);
+    const hsp::BallMeasure measure = hsp::measure_patch(map, patch);
     if (!(measure.area >= 0)) return false;
     area[static_cast<uint32_t>(map.patch(patch).kind)] += measure.area;
     volume += measure.volume;
