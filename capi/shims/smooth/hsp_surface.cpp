@@ -8,6 +8,8 @@ using namespace hsp::capi;
 
 namespace {
 
+static_assert(HSP_SURFACE_DEGENERATE == HSP_GRADIENT_ONE_SIDED);  // as GradientArrays writes it
+
 hsp_surface_totals to_c(const hsp::SurfaceMeasure &measure) {
   return {measure.area(), measure.volume, measure.convex, measure.saddle, measure.concave};
 }
@@ -90,7 +92,7 @@ int32_t hsp_surface_compute_with(hsp_surface *surface, const hsp_boundary *bound
 int32_t hsp_surface_get_counts(const hsp_surface *surface, hsp_surface_counts *counts) {
   if (const int32_t status = check_results(surface, counts == nullptr); status != HSP_OK) return status;
   const hsp::Boundary &boundary = surface->boundary->structure();
-  const hsp::SurfaceCounts &found = surface->builder.surface().counts();
+  const hsp::SurfaceCounts found = surface->builder.surface().counts();
   *counts = {boundary.face_count(),   boundary.arc_count() + boundary.circle_count(),
              boundary.vertex_count(), found.cusped_arcs,
              found.cut_patches,       0,
@@ -142,17 +144,14 @@ int32_t hsp_surface_get_gradient(const hsp_surface *surface, const hsp_gradient_
   if (!surface->has_results()) return HSP_E_STATE;
   const hsp::CubeGrid &grid = surface->boundary->model->grid;
   const uint32_t n = grid.balls().n;
-  const bool wanted = out.d_centre != nullptr || out.d_radius != nullptr || out.flags != nullptr || out.area != nullptr;
-  if (const int32_t status = asked.check(n, wanted, *outputs); status != HSP_OK) return status;
+  const GradientArrays arrays{out.d_centre, out.d_radius, out.flags, out.area};
+  if (const int32_t status = asked.check(n, arrays.any(), *outputs); status != HSP_OK) return status;
 
   const hsp::Boundary &boundary = surface->boundary->structure();
   const hsp::Surface &smooth = surface->builder.surface();
   const hsp::EnergyTerms terms = asked.terms();
-  const auto put = [&](uint32_t i, const hsp::SurfaceEnergyGradient &gradient) {
-    put_vector(gradient.centre, out.d_centre, i);
-    if (out.d_radius != nullptr) out.d_radius[i] = gradient.radius;
-    if (out.flags != nullptr) out.flags[i] = gradient.degenerate ? HSP_SURFACE_DEGENERATE : 0;
-    if (out.area != nullptr) out.area[i] = grid.balls().lattice.area(gradient.area);
+  const auto put = [&](uint32_t i, const hsp::EnergyGradient &gradient) {
+    arrays.put(i, gradient, grid.balls().lattice);
   };
   hsp::Energy found;
   if (!hsp::differentiate_surface(asked.executor, grid, boundary, smooth, terms, found, put))

@@ -1,6 +1,5 @@
 #include "surface/surface_areas.hpp"
 
-#include "measure/areas.hpp"
 #include "surface/saddle.hpp"
 
 namespace hsp {
@@ -11,13 +10,7 @@ namespace {
 SurfaceMeasure measure_faces_of_ball(const BallSet &balls, const Boundary &boundary, const Surface &surface, uint32_t i,
                                      uint32_t one) {
   SurfaceMeasure result;
-  const bool all = one == no_id;
-  const uint32_t faces = all ? boundary.faces(i).size() : 1;
-  const uint32_t loops = all ? boundary.loops(i).size() : boundary.loops_of_face(one).size();
-  if (faces == 0) return result;
-  const Vec3 origin_to_centre = offset_from_origin(balls, boundary, i);
   double triple_volume = 0.0;
-
   FreeSurface face(boundary, balls.r[i]);
   ArcBatches arcs(balls, boundary, i, one);
   SaddlePatches saddles(balls, boundary, i);
@@ -29,16 +22,14 @@ SurfaceMeasure measure_faces_of_ball(const BallSet &balls, const Boundary &bound
     result.saddle += measures.area;
     triple_volume += measures.triple_volume;
   }
-  const double steradians = face.steradians(faces, loops);
-  const double r = balls.r[i] - static_cast<double>(balls.probe_steps);
-  const double shrinkage = shrinkage_of_faces(balls, i);
-  result.convex = r * r * steradians;
-  triple_volume += r * result.convex + shrinkage * shrinkage * dot(origin_to_centre, face.vector_area());
+  const ConvexPatches convex(balls, boundary, i, one, face);
+  result.convex = convex.area;
+  triple_volume += convex.triple_volume;
 
   double concave = 0.0;
   double concave_volume = 0.0;
   for (const uint32_t e : boundary.half_edges(i)) {
-    if (!all && boundary.face_of(e) != one) continue;
+    if (one != no_id && boundary.face_of(e) != one) continue;
     const ConcavePatch patch = surface.patch(boundary.half_edge(e).vertex);
     concave += patch.area;
     concave_volume += patch.volume;

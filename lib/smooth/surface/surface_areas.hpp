@@ -4,9 +4,10 @@
 // waist, where the probe's profile turns (saddle.hpp); and a third of every concave patch at one of its vertices.
 #pragma once
 
-#include "core/executor.hpp"
 #include "core/summation.hpp"
+#include "measure/areas.hpp"
 #include "measure/input_order.hpp"
+#include "measure/sums_in_parts.hpp"
 #include "surface/surface.hpp"
 
 namespace hsp {
@@ -31,9 +32,27 @@ inline double shrinkage_of_faces(const BallSet &balls, uint32_t i) {
   return R > 0.0 ? (R - static_cast<double>(balls.probe_steps)) / R : 0.0;
 }
 
-// Calls visit(face) for the chosen faces of a ball, or visit(no_id) once if all its faces are chosen.
+// The convex patches on one of a ball's faces, or on all if `face` is no_id.
+struct ConvexPatches {
+  double steradians, area;
+  double triple_volume;  // three times their term of the volume
+  Vec3 vector_area;      // of the faces
+
+  // sums: of the arcs of these faces.
+  ConvexPatches(const BallSet &balls, const Boundary &boundary, uint32_t i, uint32_t face, const FreeSurface &sums)
+      : vector_area(sums.vector_area()) {
+    const IdRange loops = face == no_id ? boundary.loops(i) : boundary.loops_of_face(face);
+    steradians = sums.steradians(face == no_id ? boundary.faces(i).size() : 1, loops.size());
+    const double r = balls.r[i] - static_cast<double>(balls.probe_steps), shrinkage = shrinkage_of_faces(balls, i);
+    area = r * r * steradians;
+    triple_volume = r * area + shrinkage * shrinkage * dot(offset_from_origin(balls, boundary, i), vector_area);
+  }
+};
+
+// Calls visit(face) for the chosen faces of a ball, or visit(no_id) once if all its faces are chosen and it has any.
 template <class Visit>
 void for_each_chosen_part(const Boundary &boundary, const ChosenFaces &chosen, uint32_t ball, Visit visit) {
+  if (!boundary.is_exposed(ball)) return;
   bool all = true;
   for (const uint32_t face : boundary.faces(ball)) all = all && chosen.has(face);
   if (all) return visit(no_id);
@@ -60,9 +79,7 @@ SurfaceMeasure measure_surface(const CubeGrid &grid, const Boundary &boundary, c
   TreeSum saddle;
   TreeSum concave;
   TreeSum volume;
-  const uint32_t at_once = executor.may_stop() ? 32 : balls.n;
-  for (IdRange part{0, 0}; part.last < balls.n && executor.goes_on();) {
-    part = {part.last, balls.n - part.last < at_once ? balls.n : part.last + at_once};
+  visit_patiently(executor, IdRange{0, balls.n}, [&](IdRange part) {
     visit_in_input_order(grid, boundary, part, [&](uint32_t i, uint32_t ball) {
       const SurfaceMeasure measure = measure_surface_of_ball(balls, boundary, surface, ball);
       convex.add(measure.convex);
@@ -71,7 +88,7 @@ SurfaceMeasure measure_surface(const CubeGrid &grid, const Boundary &boundary, c
       volume.add(measure.volume);
       sink(i, in_caller_units(measure));
     });
-  }
+  });
   return in_caller_units({convex.total(), saddle.total(), concave.total(), volume.total()});
 }
 

@@ -1,6 +1,5 @@
 #include "surface/surface_gradients.hpp"
 
-#include "measure/areas.hpp"
 #include "surface/saddle.hpp"
 #include "surface/vertex_contacts.hpp"
 #include "surface/weighted_joints.hpp"
@@ -48,10 +47,6 @@ Vec3 add_concave(const BallSet &balls, const Boundary &boundary, const Surface &
 SurfaceGradient gradient_of_faces(const BallSet &balls, const Boundary &boundary, const Surface &surface,
                                   const AreaWeights &weights, uint32_t i, uint32_t one) {
   SurfaceGradient result;
-  const bool all = one == no_id;
-  const uint32_t faces = all ? boundary.faces(i).size() : 1;
-  const uint32_t loops = all ? boundary.loops(i).size() : boundary.loops_of_face(one).size();
-  if (faces == 0) return result;
   const double R = balls.r[i];
   FreeSurface face(boundary, R);
   ArcBatches arcs(balls, boundary, i, one);
@@ -81,19 +76,15 @@ SurfaceGradient gradient_of_faces(const BallSet &balls, const Boundary &boundary
     result.area_offset += saddle.area_offset;
     if (weighted) joints.add_saddles(batch, saddles);
   }
-  const double steradians = face.steradians(faces, loops);
-  const double r = R - static_cast<double>(balls.probe_steps);
-  const Vec3 vector_area = face.vector_area();
-  const double shrinkage = shrinkage_of_faces(balls, i);
-  result.measure.convex = r * r * steradians;
-  triple_volume +=
-      r * result.measure.convex + shrinkage * shrinkage * dot(offset_from_origin(balls, boundary, i), vector_area);
-  result.measure.volume += triple_volume / 3;
-  result.volume_centre = combine(1.0, result.volume_centre, shrinkage * shrinkage, vector_area);
-  result.volume_radius += result.measure.convex;
-  result.area_centre = combine(1.0, result.area_centre, R > 0.0 ? 2 * shrinkage / R : 0.0, vector_area);
-  result.area_radius += 2 * r * steradians;
-  result.area_offset -= 2 * r * steradians;
+  const ConvexPatches convex(balls, boundary, i, one, face);
+  const double r = R - static_cast<double>(balls.probe_steps), shrinkage = shrinkage_of_faces(balls, i);
+  result.measure.convex = convex.area;
+  result.measure.volume += (triple_volume + convex.triple_volume) / 3;
+  result.volume_centre = combine(1.0, result.volume_centre, shrinkage * shrinkage, convex.vector_area);
+  result.volume_radius += convex.area;
+  result.area_centre = combine(1.0, result.area_centre, R > 0.0 ? 2 * shrinkage / R : 0.0, convex.vector_area);
+  result.area_radius += 2 * r * convex.steradians;
+  result.area_offset -= 2 * r * convex.steradians;
   if (weighted) result.weigh(joints.weight(), joints.sums());
   return result;
 }

@@ -56,17 +56,10 @@ struct SurfaceGradient {
 SurfaceGradient surface_gradient_of_ball(const BallSet &balls, const Boundary &boundary, const Surface &surface,
                                          const AreaWeights &weights, uint32_t i);
 
-// Derivatives of tension * S + pressure * V, S the weighted area, by a ball's centre and radius, in the caller's unit.
-struct SurfaceEnergyGradient {
-  double centre[3];
-  double radius;
-  bool degenerate;
-  double area;  // of the surface's parts on the ball, in lattice steps
-};
-
-// Calls sink(i, gradient) for every ball i of the input, from the tasks of the executor. Sums run over the balls in the
-// caller's order; Energy::by_probe is the derivative by the probe at constant radii without the probe. False if the
-// executor fails.
+// Calls sink(i, gradient) for every ball i of the input, from the tasks of the executor: an EnergyGradient of tension *
+// S + pressure * V, S the weighted area, which is one_sided if the ball is degenerate, and whose area is that of the
+// surface's parts on the ball. Sums run over the balls in the caller's order; Energy::by_probe is the derivative by the
+// probe at constant radii without the probe. False if the executor fails.
 template <class Sink>
 bool differentiate_surface(const Executor &executor, const CubeGrid &grid, const Boundary &boundary,
                            const Surface &surface, const EnergyTerms &terms, Energy &energy, Sink sink) {
@@ -79,7 +72,7 @@ bool differentiate_surface(const Executor &executor, const CubeGrid &grid, const
   const auto visit = [&](IdRange range, EnergySum &sum) {
     visit_in_input_order(grid, boundary, range, [&](uint32_t i, uint32_t ball) {
       const SurfaceGradient own = surface_gradient_of_ball(balls, boundary, surface, terms.weights, ball);
-      const SurfaceEnergyGradient gradient{
+      const EnergyGradient gradient{
           {combined(own.area_centre.x, own.volume_centre.x), combined(own.area_centre.y, own.volume_centre.y),
            combined(own.area_centre.z, own.volume_centre.z)},
           combined(own.area_radius, own.volume_radius),

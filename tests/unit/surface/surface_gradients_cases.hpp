@@ -11,15 +11,14 @@ namespace cases {
 
 struct GradientOfScene {
   hsp::Energy energy;
-  hsp::SurfaceEnergyGradient ball[8];
+  hsp::EnergyGradient ball[8];
 };
 // weight [n]; null for all ones.
 inline GradientOfScene gradient_of_scene(double tension, double pressure, const double *weight = nullptr) {
   GradientOfScene result{};
-  hsp::differentiate_surface(
-      hsp::Executor(), small_union().grid(), small_union().boundary(), small_surface().builder().surface(),
-      {{weight}, tension, pressure}, result.energy,
-      [&result](uint32_t i, const hsp::SurfaceEnergyGradient &gradient) { result.ball[i] = gradient; });
+  hsp::differentiate_surface(hsp::Executor(), small_union().grid(), small_union().boundary(),
+                             small_surface().builder().surface(), {{weight}, tension, pressure}, result.energy,
+                             [&result](uint32_t i, const hsp::EnergyGradient &gradient) { result.ball[i] = gradient; });
   return result;
 }
 
@@ -101,7 +100,7 @@ inline Motion motion_of(const SurfaceScene &scene, const GradientOfScene &gradie
     }
     motion.growth += gradient.ball[i].radius * scene.ball[i].r;
     motion.scale += std::fabs(gradient.ball[i].radius);
-    motion.degenerate = motion.degenerate || gradient.ball[i].degenerate;
+    motion.degenerate = motion.degenerate || gradient.ball[i].one_sided;
   }
   return motion;
 }
@@ -136,7 +135,7 @@ inline uint32_t degenerate_vertices_are_told() {
     const GradientOfScene found = gradient_of_scene(1, 1);
     uint32_t degenerate = 0;
     for (uint32_t i = 0; i < scene->n; ++i) {
-      degenerate += found.ball[i].degenerate ? 1U : 0U;
+      degenerate += found.ball[i].one_sided ? 1U : 0U;
       if (!std::isfinite(found.ball[i].centre[0]) || !std::isfinite(found.ball[i].radius)) return false;
     }
     return degenerate == scene->n;

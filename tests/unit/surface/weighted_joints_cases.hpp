@@ -155,12 +155,12 @@ inline uint32_t waist_at_a_centre() {
   SurfaceScene scene = {2, {{0, 0, 0, 400000000}, {0, 400000000, 0, 200000000}}, 100000000};
   constexpr double equal[2] = {2, 2};
   if (!small_surface().build(scene)) return 0;
-  if (!gradient_of_scene(1, 0, uneven_weights).ball[0].degenerate) return 1;
-  if (!gradient_of_scene(1, 0, uneven_weights).ball[1].degenerate) return 2;
-  if (gradient_of_scene(1, 0, equal).ball[0].degenerate || gradient_of_scene(1, 0).ball[1].degenerate) return 3;
+  if (!gradient_of_scene(1, 0, uneven_weights).ball[0].one_sided) return 1;
+  if (!gradient_of_scene(1, 0, uneven_weights).ball[1].one_sided) return 2;
+  if (gradient_of_scene(1, 0, equal).ball[0].one_sided || gradient_of_scene(1, 0).ball[1].one_sided) return 3;
   ++scene.ball[1].y;
   if (!small_surface().build(scene)) return 4;
-  return gradient_of_scene(1, 0, uneven_weights).ball[1].degenerate ? 5 : all_hold;
+  return gradient_of_scene(1, 0, uneven_weights).ball[1].one_sided ? 5 : all_hold;
 }
 
 inline constexpr Check surface_weighted_joints[] = {
