@@ -22,9 +22,7 @@ bool ConcavePatches::measure(const BallSet &balls, const Boundary &boundary, con
   for (uint32_t first = 0; first < vertices; first += lanes) {
     if (!patience.allows(2000)) return false;
     const uint32_t count = vertices - first < lanes ? vertices - first : lanes;
-    FourVertices four;
-    for (uint32_t lane = 0; lane < lanes; ++lane) four[lane] = first + (lane < count ? lane : 0);
-    measure_triangles(balls, boundary, positions, four, triangles);
+    measure_triangles(balls, boundary, positions, first, triangles);
     for (uint32_t lane = 0; lane < count; ++lane) {
       const uint32_t v = first + lane;
       if (cut.is_cut(v)) {

@@ -31,7 +31,7 @@ void NearVertices::find_by_floats(uint32_t vertex) {
   const BallSet &balls = actual_.balls();
   const Boundary &boundary = actual_.boundary();
   ProbeTriangles triangles;
-  measure_triangles(balls, boundary, grid_.positions(), {vertex, vertex, vertex, vertex}, triangles);
+  measure_triangles(balls, boundary, grid_.positions(), vertex, triangles);
   ProbeSearch search;
   grid_.start_search(balls, vertex, search);
   aim(triangles, 0, search);

@@ -117,12 +117,7 @@ bool ProbeCaps::misses(const Vec3 &axis, double height, double error) const {
 
 void ProbeCaps::measure_sides(const BallSet &balls, const Boundary &boundary, const ProbeGrid &grid) {
   lane_ = vertex_ % ProbeTriangles::lanes;
-  if (lane_ == 0) {
-    const uint32_t last = boundary.vertex_count() - 1;
-    FourVertices four;
-    for (uint32_t k = 0; k < ProbeTriangles::lanes; ++k) four[k] = vertex_ + k < last ? vertex_ + k : last;
-    measure_triangles(balls, boundary, grid.positions(), four, triangles_);
-  }
+  if (lane_ == 0) measure_triangles(balls, boundary, grid.positions(), vertex_, triangles_);
   side_error_ = vertex_error * static_cast<double>(balls.largest_radius) * triangles_.side_error[lane_];
 }
 

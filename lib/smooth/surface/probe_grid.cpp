@@ -79,12 +79,16 @@ uint8_t order_of_rank(const BallSet &balls, const VertexRecord &vertex) {
   return code(slot[0], slot[1], slot[2], (exchanges & 1U) != 0);
 }
 
+uint32_t vertex_in_lane(const Boundary &boundary, uint32_t first, uint32_t lane) {
+  return smaller_of(first + lane, boundary.vertex_count() - 1);
+}
+
 }  // namespace
 
-void gather_triangles(const Boundary &boundary, const ProbePositions &positions, const FourVertices &vertices,
+void gather_triangles(const Boundary &boundary, const ProbePositions &positions, uint32_t first,
                       ProbeTriangles &triangles) {
   for (uint32_t lane = 0; lane < ProbeTriangles::lanes; ++lane) {
-    const uint32_t v = vertices[lane];
+    const uint32_t v = vertex_in_lane(boundary, first, lane);
     const VertexRecord &vertex = boundary.vertex(v);
     const uint32_t order = positions.order[v];
     for (int k = 0; k < 3; ++k) triangles.ball[k][lane] = vertex.ball[order >> 2 * k & 3U];
@@ -93,11 +97,11 @@ void gather_triangles(const Boundary &boundary, const ProbePositions &positions,
   }
 }
 
-void measure_triangles(const BallSet &balls, const Boundary &boundary, const ProbePositions &positions,
-                       const FourVertices &vertices, ProbeTriangles &triangles) {
-  gather_triangles(boundary, positions, vertices, triangles);
+void measure_triangles(const BallSet &balls, const Boundary &boundary, const ProbePositions &positions, uint32_t first,
+                       ProbeTriangles &triangles) {
+  gather_triangles(boundary, positions, first, triangles);
   for (uint32_t lane = 0; lane < ProbeTriangles::lanes; ++lane) {
-    const Vec3 &offset = positions.offset[vertices[lane]];
+    const Vec3 &offset = positions.offset[vertex_in_lane(boundary, first, lane)];
     triangles.offset[0][lane] = offset.x;
     triangles.offset[1][lane] = offset.y;
     triangles.offset[2][lane] = offset.z;
@@ -225,9 +229,7 @@ bool ProbeGrid::place_all(const BallSet &balls, const Boundary &boundary, Patien
   ProbeTriangles triangles;
   for (uint32_t first = 0; first < n; first += ProbeTriangles::lanes) {
     if (!patience.allows(2000)) return false;
-    FourVertices four;
-    for (uint32_t lane = 0; lane < ProbeTriangles::lanes; ++lane) four[lane] = first + lane < n ? first + lane : n - 1;
-    gather_triangles(boundary, position_, four, triangles);
+    gather_triangles(boundary, position_, first, triangles);
     place_probes(boundary.target(), arrays_of(balls), triangles);
     for (uint32_t lane = 0; lane < ProbeTriangles::lanes && first + lane < n; ++lane) {
       const uint32_t v = first + lane;

@@ -83,13 +83,12 @@ class ProbeGrid {
   float square_of_reach_ = 0.0F, inverse_square_of_reach_ = 0.0F, margin_ = 0.0F;
 };
 
-// gather_triangles finds the balls of four vertices, by rank, with signs and discriminants; measure_triangles finds
-// everything about their triangles.
-using FourVertices = uint32_t[ProbeTriangles::lanes];
-void gather_triangles(const Boundary &boundary, const ProbePositions &positions, const FourVertices &vertices,
+// gather_triangles finds the balls of vertices from `first` on, by rank, with signs and discriminants; measure_triangles
+// finds everything about their triangles. Behind the last vertex lanes repeat it.
+void gather_triangles(const Boundary &boundary, const ProbePositions &positions, uint32_t first,
                       ProbeTriangles &triangles);
-void measure_triangles(const BallSet &balls, const Boundary &boundary, const ProbePositions &positions,
-                       const FourVertices &vertices, ProbeTriangles &triangles);
+void measure_triangles(const BallSet &balls, const Boundary &boundary, const ProbePositions &positions, uint32_t first,
+                       ProbeTriangles &triangles);
 // Makes the triangle in this lane the one of the search.
 void aim(const ProbeTriangles &triangles, uint32_t lane, ProbeSearch &search);
 

@@ -106,13 +106,10 @@ inline const hsp::ProbeTriangles *triangle_of(uint32_t vertex) {
   const hsp::BallSet &balls = small_union().balls();
   const uint32_t lane = vertex % hsp::ProbeTriangles::lanes;
   const uint32_t first = vertex - lane;
-  hsp::FourVertices four;
+  hsp::gather_triangles(small_union().boundary(), searched_probes().grid().positions(), first, triangles);
   for (uint32_t k = 0; k < hsp::ProbeTriangles::lanes; ++k) {
-    four[k] = first + k < SearchedProbes::vertices() ? first + k : SearchedProbes::vertices() - 1;
-  }
-  hsp::gather_triangles(small_union().boundary(), searched_probes().grid().positions(), four, triangles);
-  for (uint32_t k = 0; k < hsp::ProbeTriangles::lanes; ++k) {
-    const hsp::Vec3 offset = searched_probes().grid().position(four[k]).offset;
+    const uint32_t last = SearchedProbes::vertices() - 1;
+    const hsp::Vec3 offset = searched_probes().grid().position(first + k < last ? first + k : last).offset;
     triangles.offset[0][k] = offset.x;
     triangles.offset[1][k] = offset.y;
     triangles.offset[2][k] = offset.z;
