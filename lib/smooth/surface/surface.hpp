@@ -41,7 +41,10 @@ struct SurfaceCounts {
 class Surface {
  public:
   ConcavePatch patch(uint32_t vertex) const { return concave_[vertex]; }
-  const SurfaceCounts &counts() const { return counts_; }
+  SurfaceCounts counts() const {
+    const uint32_t cut = cut_patches_.piece_count() - cut_patches_.extra_pieces().size();
+    return {cut, cusped_circles_.saddles(), of_actual_balls_ ? cut : 0};
+  }
   // The exceptions: concave patches that other probes cut, and circles with cusps.
   const CutPatches &cut_patches() const { return cut_patches_; }
   const CuspedCircles &cusped_circles() const { return cusped_circles_; }
@@ -68,7 +71,6 @@ class Surface {
   SurfaceShells shells_;
   RankedBits touching_;
   Span<uint32_t> scratch_;
-  SurfaceCounts counts_;
   bool of_actual_balls_ = false;
 };
 

@@ -46,7 +46,6 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, Pat
                              const Span<const uint32_t> *shells) {
   CutPatches &cut = surface_.cut_patches_;
   CuspedCircles &cusped = surface_.cusped_circles_;
-  surface_.counts_ = {};
   surface_.of_actual_balls_ = false;
   cut.clear();
   cusped.clear();
@@ -74,7 +73,6 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, Pat
   if (status != Status::ok) return status;
   surface_.touching_.count();
   if (!surface_.concave_.measure(balls, boundary, grid_.positions(), cut, patience)) return Status::stopped;
-  surface_.counts_.cusped_arcs = cusped.saddles();
   surface_.shells_.find(boundary, cusped, cut, patience);
   return patience.allows(0) ? Status::ok : Status::stopped;
 }
@@ -136,7 +134,6 @@ void SurfaceBuilder::use_for_doubles() {
 
 Status SurfaceBuilder::cut_actual_patches(const ActualBalls &actual, Patience &patience) {
   CutPatches &cut = surface_.cut_patches_;
-  surface_.counts_ = {};
   surface_.of_actual_balls_ = true;
   // The memory of patches that are cut on their own is free.
   actual.keep_vertices(begin_array<uint64_t>(border_room_));
@@ -163,8 +160,6 @@ Status SurfaceBuilder::cut_actual_patches(const ActualBalls &actual, Patience &p
   needed_.pieces = larger_count(needed_.pieces, clamped_count(cut.required_pieces()));
   need_arcs(cut.required_arcs());
   if (cut.overflowed()) return Status::capacity;
-  for (uint32_t v = 0; v < needed_.vertices; ++v) surface_.counts_.cut_patches += cut.is_cut(v) ? 1U : 0U;
-  surface_.counts_.rounded_patches = surface_.counts_.cut_patches;
   return Status::ok;
 }
 
@@ -225,7 +220,6 @@ bool SurfaceBuilder::cut_in_doubles(const BallSet &balls, const Boundary &bounda
   for (const RegionArc &arc : arcs) is_cut = is_cut || arc.circle >= ProbeCaps::sides;
   if (!is_cut) return true;
   if (!find_pieces(arcs, characteristic)) return false;
-  ++surface_.counts_.cut_patches;
   const ConcaveScale scale(balls, boundary, grid_.position(vertex));
   const double steradians = region.curvature + 2 * pi * characteristic;
   store_pieces(boundary, vertex, scale);

@@ -21,7 +21,7 @@ inline uint32_t known_patches() {
     const hsp::Surface &surface = small_surface().builder().surface();
     double area = 0;
     for (uint32_t v = 0; v < small_union().boundary().vertex_count(); ++v) area += surface.patch(v).area;
-    const hsp::SurfaceCounts &counts = surface.counts();
+    const hsp::SurfaceCounts counts = surface.counts();
     return near(area * 1e-16, c.concave, 2e-9) && counts.cut_patches == c.cut && counts.cusped_arcs == c.cusped &&
            counts.rounded_patches == 0 && !surface.is_of_actual_balls();
   });
