@@ -3,8 +3,7 @@
 // integers.
 #pragma once
 
-#include "core/vec3.hpp"
-#include "exact/wide_integer.hpp"
+#include "exact/exact_predicates.hpp"
 #include "lanes/floating_point.hpp"
 
 namespace hsp {
@@ -32,17 +31,8 @@ inline Vec3 to_double(const RoundedDirection &p) {
   return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
 }
 
-// The sign of (u x v).w for integers: u x v has components below 2^63 where |u| and |v| are at most 2^31 + 2.
-inline int exact_triple_product_sign(const int64_t u[3], const int64_t v[3], const int64_t w[3]) {
-  using Term = exact::WideInteger<exact::FastLimb, 64>;
-  constexpr int bits = 128;
-  exact::WideInteger<exact::FastLimb, bits> sum{};
-  for (int k = 0; k < 3; ++k) {
-    const int l = (k + 1) % 3;
-    const int m = (k + 2) % 3;
-    sum = sum + exact::product<bits>(Term::from(u[l] * v[m] - u[m] * v[l]), Term::from(w[k]));
-  }
-  return sum.sign();
+inline exact::Vector to_integers(const RoundedDirection &p) {
+  return {p.x, p.y, p.z};
 }
 
 // The sign of det(a, b, c): positive if the triangle runs counter-clockwise, seen from outside. In doubles every one of
@@ -53,14 +43,11 @@ inline int orientation(const RoundedDirection &a, const RoundedDirection &b, con
   constexpr double doubt = 0x1p90 * 32 * unit_roundoff;
   if (determinant > doubt) return 1;
   if (determinant < -doubt) return -1;
-  const int64_t u[3] = {a.x, a.y, a.z};
-  const int64_t v[3] = {b.x, b.y, b.z};
-  const int64_t w[3] = {c.x, c.y, c.z};
-  return exact_triple_product_sign(u, v, w);
+  return exact::Exact::triple_product_sign(to_integers(a), to_integers(b), to_integers(c));
 }
 
 // The sign of d's height above the plane of the counter-clockwise triangle a, b, c: positive if d is inside its circle.
-// Differences are exact; they are at most 2^31 + 2 long.
+// Differences are exact; they are at most 2^31 + 2 long, so that their vector products have components below 2^63.
 inline int height_above(const RoundedDirection &a, const RoundedDirection &b, const RoundedDirection &c,
                         const RoundedDirection &d) {
   const Vec3 from = to_double(a);
@@ -68,18 +55,8 @@ inline int height_above(const RoundedDirection &a, const RoundedDirection &b, co
   constexpr double doubt = 0x1p94 * 32 * unit_roundoff;
   if (determinant > doubt) return 1;
   if (determinant < -doubt) return -1;
-  const auto less_a = [&a](const RoundedDirection &p, int64_t difference[3]) {
-    difference[0] = static_cast<int64_t>(p.x) - a.x;
-    difference[1] = static_cast<int64_t>(p.y) - a.y;
-    difference[2] = static_cast<int64_t>(p.z) - a.z;
-  };
-  int64_t u[3];
-  int64_t v[3];
-  int64_t w[3];
-  less_a(b, u);
-  less_a(c, v);
-  less_a(d, w);
-  return exact_triple_product_sign(u, v, w);
+  const exact::Vector origin = to_integers(a);
+  return exact::Exact::triple_product_sign(to_integers(b) - origin, to_integers(c) - origin, to_integers(d) - origin);
 }
 
 }  // namespace hsp

@@ -72,28 +72,24 @@ void SphereTriangulation::set_triangle(uint32_t t, const SphereTriangle &triangl
   for (const uint32_t p : triangle.point) triangle_at_[p] = t;
 }
 
-bool SphereTriangulation::holds(const SphereTriangle &triangle, const RoundedDirection &p) const {
-  const RoundedDirection &a = point_[triangle.point[0]];
-  const RoundedDirection &b = point_[triangle.point[1]];
-  const RoundedDirection &c = point_[triangle.point[2]];
-  return orientation(b, c, p) >= 0 && orientation(c, a, p) >= 0 && orientation(a, b, p) >= 0;
+uint32_t SphereTriangulation::edge_before(const SphereTriangle &triangle, const RoundedDirection &p) const {
+  uint32_t e = 0;
+  while (e < 3 &&
+         orientation(point_[triangle.point[next_corner(e)]], point_[triangle.point[previous_corner(e)]], p) >= 0)
+    ++e;
+  return e;
 }
 
 // Walks towards the point. Among Delaunay triangles the walk ends; after too many steps all triangles are tried.
 uint32_t SphereTriangulation::locate(const RoundedDirection &p) const {
   uint32_t t = last_;
   for (uint32_t step = 0; step < triangle_count_; ++step) {
-    const SphereTriangle &triangle = triangle_[t];
-    uint32_t beyond = 3;
-    for (uint32_t e = 0; e < 3 && beyond == 3; ++e) {
-      const RoundedDirection &a = point_[triangle.point[next_corner(e)]];
-      if (orientation(a, point_[triangle.point[previous_corner(e)]], p) < 0) beyond = e;
-    }
-    if (beyond == 3) return t;
-    t = triangle.neighbour[beyond];
+    const uint32_t edge = edge_before(triangle_[t], p);
+    if (edge == 3) return t;
+    t = triangle_[t].neighbour[edge];
   }
   for (t = 0; t < triangle_count_; ++t) {
-    if (holds(triangle_[t], p)) return t;
+    if (edge_before(triangle_[t], p) == 3) return t;
   }
   return 0;  // not reached: the triangles cover the sphere
 }

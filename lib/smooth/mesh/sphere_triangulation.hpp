@@ -71,7 +71,8 @@ class SphereTriangulation {
  private:
   int side(uint32_t a, uint32_t b, uint32_t c) const { return orientation(point_[a], point_[b], point_[c]); }
   uint32_t locate(const RoundedDirection &p) const;
-  bool holds(const SphereTriangle &triangle, const RoundedDirection &p) const;
+  // The first edge of a triangle that a point lies beyond; 3 if there is none.
+  uint32_t edge_before(const SphereTriangle &triangle, const RoundedDirection &p) const;
   void set_triangle(uint32_t t, const SphereTriangle &triangle);
   void replace_neighbour(uint32_t t, uint32_t old, uint32_t by);
   void split_triangle(uint32_t t, uint32_t p);
