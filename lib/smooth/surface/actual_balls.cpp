@@ -41,23 +41,22 @@ uint32_t first_in_doubt(const ActualPoints<Number> &actual, uint32_t v, const Nu
 template <class Number>
 [[gnu::noinline]] int is_left(const ActualPoints<Number> &actual, uint32_t v, const NumberVector<Number> &arm,
                               Span<const uint32_t> near, uint32_t w, uint32_t x) {
-  [[maybe_unused]] const ActualPoints<BoundedDouble> rounded({actual.balls, actual.boundary, actual.kept},
-                                                             actual.ball());
-  [[maybe_unused]] const NumberVector<BoundedDouble> about{BoundedDouble(arm.x), BoundedDouble(arm.y),
-                                                           BoundedDouble(arm.z)};
+  [[maybe_unused]] const ActualPoints<BoundedDouble> in_doubles({actual.balls, actual.boundary, actual.kept},
+                                                                actual.ball());
+  [[maybe_unused]] const NumberVector<BoundedDouble> about = rounded(arm);
   constexpr bool doubles_first = !small_code && !std::is_same_v<Number, BoundedDouble>;
   uint32_t k = 0;
   int in_patch = 0;
   if constexpr (doubles_first) {
-    k = first_in_doubt(rounded, v, about, near, w, x);
-    in_patch = k == no_id ? -1 : rounded.inside_of_sides(v, about);
+    k = first_in_doubt(in_doubles, v, about, near, w, x);
+    in_patch = k == no_id ? -1 : in_doubles.inside_of_sides(v, about);
     if (in_patch < 0) return -1;
   }
   int sure = 1;
   for (; k < near.size(); ++k) {
     if (near[k] == w || near[k] == x) continue;
     if constexpr (doubles_first) {
-      if (rounded.in_probe(near[k], v, about) < 0) continue;
+      if (in_doubles.in_probe(near[k], v, about) < 0) continue;
     }
     const int inside = actual.in_probe(near[k], v, arm);
     if (inside > 0) return -1;
@@ -141,10 +140,10 @@ namespace {
 template <class Number>
 int is_known(const NumberVector<Number> &a, Vec3 &way) {
   constexpr double least_error = 0x1p-36;
-  const BoundedDouble x(a.x), y(a.y), z(a.z);
-  way = {x.value, y.value, z.value};
-  const double longest = std::fabs(x.value) + std::fabs(y.value) + std::fabs(z.value);
-  return longest > 0.0 && x.error + y.error + z.error <= least_error * longest ? 1 : 0;
+  const NumberVector<BoundedDouble> b = rounded(a);
+  way = to_double(b);
+  const double longest = std::fabs(way.x) + std::fabs(way.y) + std::fabs(way.z);
+  return longest > 0.0 && b.x.error + b.y.error + b.z.error <= least_error * longest ? 1 : 0;
 }
 
 }  // namespace

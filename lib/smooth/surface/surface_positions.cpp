@@ -65,7 +65,7 @@ Position position_of_cusp(const BallSet &balls, const CuspedCircles &cusped, uin
 // arc's crease leaves the probe of the arc before.
 BorderPoint name_of_start(uint32_t vertex, uint32_t across, uint32_t before) {
   BorderPoint corner{BorderPoint::Kind::corner, 1, {vertex, across, before}};
-  sort_three(corner.id[0], corner.id[1], corner.id[2], [](uint32_t a, uint32_t b) { return a < b; });
+  sort_three(corner.id[0], corner.id[1], corner.id[2]);
   const bool is_low = vertex < across;
   if (ActualBalls::starts_at_corner(corner, is_low ? vertex : across, is_low ? across : vertex) != is_low)
     corner.sign = -1;

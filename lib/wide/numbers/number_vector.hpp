@@ -54,11 +54,15 @@ template <class Number>
   return dot(a, n);
 }
 
-inline Vec3 to_double(const NumberVector<BoundedDouble> &a) {
-  return {a.x.value, a.y.value, a.z.value};
+// The nearest doubles.
+template <class Number>
+NumberVector<BoundedDouble> rounded(const NumberVector<Number> &a) {
+  return {BoundedDouble(a.x), BoundedDouble(a.y), BoundedDouble(a.z)};
 }
-inline Vec3 to_double(const NumberVector<WideFloat> &a) {
-  return {BoundedDouble(a.x).value, BoundedDouble(a.y).value, BoundedDouble(a.z).value};
+template <class Number>
+Vec3 to_double(const NumberVector<Number> &a) {
+  const NumberVector<BoundedDouble> nearest = rounded(a);
+  return {nearest.x.value, nearest.y.value, nearest.z.value};
 }
 
 }  // namespace hsp
