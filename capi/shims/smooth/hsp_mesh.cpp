@@ -11,18 +11,23 @@ int32_t check_edge(double edge_length) {
   return edge_length > 0.0 ? HSP_OK : HSP_E_ARGUMENT;
 }
 
-const hsp::BallSet &balls_of(const hsp_boundary &boundary) {
-  return boundary.balls();
+const hsp_boundary &boundary_of(const hsp_boundary &boundary) {
+  return boundary;
 }
-const hsp::BallSet &balls_of(const hsp_surface &surface) {
-  return surface.boundary->balls();
+const hsp_boundary &boundary_of(const hsp_surface &surface) {
+  return *surface.boundary;
+}
+hsp::MeshedSurface meshed(const hsp_boundary &boundary) {
+  return {boundary.balls(), boundary.structure()};
+}
+hsp::MeshedSurface meshed(const hsp_surface &surface) {
+  return {surface.boundary->balls(), surface.boundary->structure(), &surface.structure()};
 }
 
-// Limits for the mesh of a boundary or a surface. expect(steps, enough) writes limits that suffice for edges of so many
-// lattice steps.
-template <class Source, class Expect>
-int32_t init_limits(hsp_mesh_limits *limits, uint32_t struct_size, const Source *source, double edge_length,
-                    Expect expect) {
+// Limits that suffice for the mesh of a boundary or a surface.
+template <class Source>
+int32_t init_limits(hsp_mesh_limits *limits, uint32_t struct_size, const Source *source, double edge_length) {
+  LibraryArithmetic arithmetic(edge_length);
   if (const int32_t status = first_failure(check_handle(source), check_struct(limits, struct_size)); status != HSP_OK)
     return status;
   const int32_t edge_status = check_edge(edge_length);
@@ -30,24 +35,25 @@ int32_t init_limits(hsp_mesh_limits *limits, uint32_t struct_size, const Source 
   if (!source->has_results()) return HSP_E_STATE;
   if (edge_status != HSP_OK) return edge_status;
   hsp::MeshLimits enough;
-  const hsp::Status status = expect(balls_of(*source).lattice.steps(edge_length), enough);
+  const hsp::MeshedSurface from = meshed(*source);
+  const hsp::Status status = hsp::expected_mesh_limits(from, from.balls.lattice.steps(edge_length), enough);
   if (status == hsp::Status::ok) hsp_mesh::Limits::write(enough, limits, struct_size);
   return hsp::capi::to_c(status);
 }
 
-// Computes a mesh. build(steps, patience) makes the triangles, for edges of so many lattice steps, and stores the
-// boundary in the handle.
-template <class Source, class Build>
+template <class Source>
 int32_t compute(hsp_mesh *mesh, const Source *source, double edge_length, const hsp_mesh_request *request,
-                hsp_mesh_limits *limits, Build build) {
+                hsp_mesh_limits *limits) {
   LibraryArithmetic arithmetic(edge_length);
   const int32_t edge = check_edge(edge_length);
   const auto check = [edge](const hsp_mesh_request &) { return edge == HSP_E_ARGUMENT ? edge : HSP_OK; };
-  return compute_from(arithmetic, mesh, source, request, limits, check,
-                      [&](const hsp_mesh_request &, Executor &executor) {
-                        if (edge != HSP_OK) return hsp::Status::not_finite;
-                        return build(balls_of(*source).lattice.steps(edge_length), hsp::Patience(&executor));
-                      });
+  return compute_from(
+      arithmetic, mesh, source, request, limits, check, [&](const hsp_mesh_request &, Executor &executor) {
+        if (edge != HSP_OK) return hsp::Status::not_finite;
+        const hsp::MeshedSurface from = meshed(*source);
+        mesh->boundary.set(&boundary_of(*source));
+        return mesh->builder.build(from, from.balls.lattice.steps(edge_length), hsp::Patience(&executor));
+      });
 }
 
 hsp::Vec3 corner_of(const hsp::Mesh &mesh, const hsp::MeshTriangle &triangle, uint32_t k) {
@@ -98,47 +104,33 @@ void share_areas_of_patches(const hsp::Mesh &mesh, const double *area, double *w
 
 int32_t hsp_mesh_limits_init(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_boundary *boundary,
                              double edge_length) {
-  LibraryArithmetic arithmetic(edge_length);
-  return init_limits(limits, struct_size, boundary, edge_length, [boundary](double steps, hsp::MeshLimits &enough) {
-    return hsp::expected_mesh_limits(boundary->balls(), boundary->structure(), steps, enough);
-  });
+  return init_limits(limits, struct_size, boundary, edge_length);
 }
 
 int32_t hsp_mesh_limits_init_surface(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_surface *surface,
                                      double edge_length) {
-  LibraryArithmetic arithmetic(edge_length);
-  return init_limits(limits, struct_size, surface, edge_length, [surface](double steps, hsp::MeshLimits &enough) {
-    const hsp_boundary &boundary = *surface->boundary;
-    return hsp::expected_mesh_limits(boundary.balls(), boundary.structure(), surface->structure(), steps, enough);
-  });
+  return init_limits(limits, struct_size, surface, edge_length);
 }
 
 HSP_HANDLE_MEMORY(hsp_mesh);
 
 int32_t hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, double edge_length, hsp_mesh_limits *limits) {
-  return hsp_mesh_compute_with(mesh, boundary, edge_length, nullptr, limits);
+  return compute(mesh, boundary, edge_length, nullptr, limits);
 }
 
 int32_t hsp_mesh_compute_with(hsp_mesh *mesh, const hsp_boundary *boundary, double edge_length,
                               const hsp_mesh_request *request, hsp_mesh_limits *limits) {
-  return compute(mesh, boundary, edge_length, request, limits, [mesh, boundary](double steps, hsp::Patience patience) {
-    mesh->boundary.set(boundary);
-    return mesh->builder.build(boundary->balls(), boundary->structure(), steps, patience);
-  });
+  return compute(mesh, boundary, edge_length, request, limits);
 }
 
 int32_t hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surface, double edge_length,
                                  hsp_mesh_limits *limits) {
-  return hsp_mesh_compute_surface_with(mesh, surface, edge_length, nullptr, limits);
+  return compute(mesh, surface, edge_length, nullptr, limits);
 }
 
 int32_t hsp_mesh_compute_surface_with(hsp_mesh *mesh, const hsp_surface *surface, double edge_length,
                                       const hsp_mesh_request *request, hsp_mesh_limits *limits) {
-  return compute(mesh, surface, edge_length, request, limits, [mesh, surface](double steps, hsp::Patience patience) {
-    const hsp_boundary &boundary = *surface->boundary;
-    mesh->boundary.set(&boundary);
-    return mesh->builder.build(boundary.balls(), boundary.structure(), surface->structure(), steps, patience);
-  });
+  return compute(mesh, surface, edge_length, request, limits);
 }
 
 int32_t hsp_mesh_get_counts(const hsp_mesh *mesh, hsp_mesh_counts *counts) {

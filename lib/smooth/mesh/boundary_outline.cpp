@@ -6,7 +6,7 @@
 
 namespace hsp {
 
-Status expected_mesh_limits(const BallSet &balls, const Boundary &boundary, double edge, MeshLimits &limits) {
+Status expected_limits_of_boundary(const BallSet &balls, const Boundary &boundary, double edge, MeshLimits &limits) {
   MeshSizes sizes;
   sizes.add_points(boundary.vertex_count());
   for (uint32_t i = 0; i < balls.n; ++i) {

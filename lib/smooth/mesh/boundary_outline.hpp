@@ -13,7 +13,7 @@ namespace hsp {
 
 // Limits that nearly always suffice for edges of this length, in lattice steps. Status::range if they would be too
 // large.
-Status expected_mesh_limits(const BallSet &balls, const Boundary &boundary, double edge, MeshLimits &limits);
+Status expected_limits_of_boundary(const BallSet &balls, const Boundary &boundary, double edge, MeshLimits &limits);
 
 // The angle between neighbouring points on a sphere for edges of this length.
 double spacing_on(double radius, double edge);

@@ -32,6 +32,16 @@ struct MeshTriangle {
   PatchKind kind;
 };
 
+// The surface that a mesh is made of: the smooth surface, if it is given, or the boundary.
+struct MeshedSurface {
+  const BallSet &balls;
+  const Boundary &boundary;
+  const Surface *smooth = nullptr;
+
+  // Without a probe a smooth surface is the boundary.
+  bool is_smooth() const { return smooth != nullptr && balls.probe_steps != 0; }
+};
+
 class Mesh {
  public:
   uint32_t vertex_count() const { return vertices_.size(); }

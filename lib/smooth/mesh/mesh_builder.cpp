@@ -32,19 +32,13 @@ void MeshBuilder::carve(Workspace &workspace, const MeshLimits &limits) {
   patch_.carve(workspace, limits.points);
 }
 
-Status MeshBuilder::build(const BallSet &balls, const Boundary &boundary, double edge, Patience patience) {
-  const ChosenFaces all;
-  BoundaryOutline outline(balls, boundary, curves_, all);
-  return build_all(outline, edge, patience);
-}
-
-Status MeshBuilder::build(const BallSet &balls, const Boundary &boundary, const Surface &surface, double edge,
-                          Patience patience) {
-  if (balls.probe_steps == 0) {
-    BoundaryOutline outline(balls, boundary, curves_, surface.chosen());
+Status MeshBuilder::build(const MeshedSurface &from, double edge, Patience patience) {
+  if (from.is_smooth()) {
+    SurfaceOutline outline(from.balls, from.boundary, *from.smooth, curves_.room());
     return build_all(outline, edge, patience);
   }
-  SurfaceOutline outline(balls, boundary, surface, curves_.room());
+  const ChosenFaces all;
+  BoundaryOutline outline(from.balls, from.boundary, curves_, from.smooth == nullptr ? all : from.smooth->chosen());
   return build_all(outline, edge, patience);
 }
 
@@ -75,17 +69,14 @@ Status MeshBuilder::build_all(Outline &outline, double edge, Patience &patience)
   return patience.allows(0) ? Status::ok : Status::stopped;
 }
 
-// Decided by areas, before any point is made. First all spheres are taken to be free as a whole: most meshes are not
-// too fine even then.
+// Decided by areas, before any point is made.
 template <class Outline>
 bool MeshBuilder::has_too_many_inside(const Outline &outline, double edge, Patience &patience) const {
-  PointsInside at_most;
-  for (uint32_t s = 0; s < outline.sphere_count() && patience.allows(100); ++s)
-    at_most.add(4 * pi, outline.spacing(s, edge));
-  if (!at_most.are_too_many()) return false;
   PointsInside points;
-  for (uint32_t s = 0; s < outline.sphere_count() && patience.allows(3000); ++s)
-    points.add(outline.steradians(s), outline.spacing(s, edge));
+  for (uint32_t s = 0; s < outline.sphere_count() && patience.allows(3000); ++s) {
+    const double spacing = outline.spacing(s, edge);
+    if (PointsInside::has_many(spacing)) points.add(outline.steradians(s), spacing);
+  }
   return points.are_too_many();
 }
 

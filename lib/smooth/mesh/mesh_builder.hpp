@@ -10,14 +10,10 @@ class MeshBuilder : public Limited<MeshLimits> {
  public:
   void carve(Workspace &workspace, const MeshLimits &limits);
 
-  // The boundary with edges of about this length, in lattice steps. Status::capacity if a limit is too small; needed()
-  // then reports what suffices as far as it is known. Status::range if there are more points than any limit allows.
+  // A mesh with edges of about this length, in lattice steps. Status::capacity if a limit is too small; needed() then
+  // reports what suffices as far as it is known. Status::range if there are more points than any limit allows.
   // Status::degenerate if borders lie on each other in ways that nothing tells apart.
-  Status build(const BallSet &balls, const Boundary &boundary, double edge, Patience patience = Patience());
-
-  // The same for the smooth surface.
-  Status build(const BallSet &balls, const Boundary &boundary, const Surface &surface, double edge,
-               Patience patience = Patience());
+  Status build(const MeshedSurface &from, double edge, Patience patience = Patience());
 
   const Mesh &mesh() const { return mesh_; }
 

@@ -15,8 +15,9 @@ namespace hsp {
 class PointsInside {
  public:
   // Spheres with few points are left out.
+  static bool has_many(double spacing) { return spacing < 0.1; }
   void add(double steradians, double spacing) {
-    if (spacing < 0.1 && steradians > 0.0) points_ += expected_ring_points(spacing) * (steradians / (4 * pi));
+    if (has_many(spacing) && steradians > 0.0) points_ += expected_ring_points(spacing) * (steradians / (4 * pi));
   }
   bool are_too_many() const { return !(points_ < max_count); }
 

@@ -50,11 +50,9 @@ uint32_t SurfaceOutline::ball_at(uint32_t sphere, const double (&middle)[3]) con
 
 // ---- limits ----
 
-Status expected_mesh_limits(const BallSet &balls, const Boundary &boundary, const Surface &surface, double edge,
-                            MeshLimits &limits) {
-  if (balls.probe_steps == 0) return expected_mesh_limits(balls, boundary, edge, limits);
-  const SurfaceOutline outline(balls, boundary, surface, {});
-  return outline.expected_limits(edge, limits);
+Status expected_mesh_limits(const MeshedSurface &from, double edge, MeshLimits &limits) {
+  if (!from.is_smooth()) return expected_limits_of_boundary(from.balls, from.boundary, edge, limits);
+  return SurfaceOutline(from.balls, from.boundary, *from.smooth, {}).expected_limits(edge, limits);
 }
 
 double SurfaceOutline::segments_around(uint32_t patch, double edge) const {

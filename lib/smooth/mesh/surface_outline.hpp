@@ -11,9 +11,8 @@
 
 namespace hsp {
 
-// Limits that nearly always suffice, as for a boundary.
-Status expected_mesh_limits(const BallSet &balls, const Boundary &boundary, const Surface &surface, double edge,
-                            MeshLimits &limits);
+// Limits that nearly always suffice.
+Status expected_mesh_limits(const MeshedSurface &from, double edge, MeshLimits &limits);
 
 class SurfaceOutline : public SurfaceCurves {
  public:

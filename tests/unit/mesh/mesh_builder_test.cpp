@@ -67,7 +67,7 @@ TEST(MeshBuilder, SpheresThroughOnePoint) {
   const BuiltSurface built(points, 3, 0);
   const double edge = 0.7 * static_cast<double>(built.balls().largest_radius);
   const BuiltMesh boundary(edge, built.balls(), built.boundary());
-  const BuiltMesh smooth(edge, built.balls(), built.boundary(), built.surface());
+  const BuiltMesh smooth(edge, built.balls(), built.boundary(), &built.surface());
   EXPECT_EQ(boundary.status(), hsp::Status::ok);
   EXPECT_EQ(smooth.status(), hsp::Status::ok);
   EXPECT_TRUE(boundary.is_closed());
@@ -90,7 +90,7 @@ TEST(MeshBuilder, NamesWhatSuffices) {
     CarvedMemory memory;
     hsp::MeshBuilder builder;
     memory.carve(builder, limits);
-    EXPECT_EQ(builder.build(built.balls(), built.boundary(), edge), hsp::Status::capacity);
+    EXPECT_EQ(builder.build({built.balls(), built.boundary()}, edge), hsp::Status::capacity);
     EXPECT_GT(builder.retry_limits().*limit, limits.*limit);
   }
 }
@@ -107,7 +107,7 @@ TEST(MeshBuilder, BallsThatTouch) {
 TEST(MeshBuilder, EdgesTooShortForAnyLimit) {
   const BuiltBoundary built(oracle::Balls{{0, 0, 0, 1000}, {1500, 0, 1000, 1500}});
   hsp::MeshLimits limits;
-  EXPECT_EQ(hsp::expected_mesh_limits(built.balls(), built.boundary(), 1e-3, limits), hsp::Status::range);
+  EXPECT_EQ(hsp::expected_mesh_limits({built.balls(), built.boundary()}, 1e-3, limits), hsp::Status::range);
 }
 
 // The points of a few hundred spheres would take minutes to count one by one, and those of the saddles of a row.
@@ -120,16 +120,16 @@ TEST(MeshBuilder, TooManyPointsAreSeenBeforeAnyIsMade) {
   const oracle::Balls loose = oracle::loose_balls(random, 300);
   const BuiltBoundary built(loose);
   const double edge = 3e-4 * static_cast<double>(built.balls().largest_radius);
-  EXPECT_EQ(builder.build(built.balls(), built.boundary(), edge), hsp::Status::range);
+  EXPECT_EQ(builder.build({built.balls(), built.boundary()}, edge), hsp::Status::range);
   const BuiltSurface smooth(oracle::in_lengths(loose, 1), 2.0);
   ASSERT_EQ(smooth.status(), hsp::Status::ok);
   memory.carve(builder, hsp::MeshLimits{100000, 100000, 100, 100, 100});
-  EXPECT_EQ(builder.build(smooth.balls(), smooth.boundary(), smooth.surface(), edge), hsp::Status::range);
+  EXPECT_EQ(builder.build({smooth.balls(), smooth.boundary(), &smooth.surface()}, edge), hsp::Status::range);
   support::BallList row;
   for (int k = 0; k < 40; ++k) row.add(280.0 * k, 0, 0, 10);
   const BuiltSurface saddles(row, 1000.0);
   ASSERT_EQ(saddles.status(), hsp::Status::ok);
-  EXPECT_EQ(builder.build(saddles.balls(), saddles.boundary(), saddles.surface(), 0.06), hsp::Status::range);
+  EXPECT_EQ(builder.build({saddles.balls(), saddles.boundary(), &saddles.surface()}, 0.06), hsp::Status::range);
 }
 
 // Spheres with few points do not count, however many there are, nor does what is covered.
@@ -175,7 +175,7 @@ TEST(MeshBuilder, SmoothSurfacesOfTiedFamilies) {
       const BuiltSurface built(set.balls, set.probe, 0.0);
       ASSERT_EQ(built.status(), hsp::Status::ok);
       const BuiltMesh mesh(0.3 * static_cast<double>(built.balls().probe_steps), built.balls(), built.boundary(),
-                           built.surface());
+                           &built.surface());
       ++sets;
       if (mesh.status() != hsp::Status::ok) {
         ASSERT_EQ(mesh.status(), hsp::Status::degenerate);
@@ -201,7 +201,7 @@ TEST(MeshBuilder, SmoothSurfacesOfRandomSets) {
     const double largest = *std::max_element(lengths.radius.begin(), lengths.radius.end());
     const BuiltSurface built(lengths, std::floor(0.3 * largest * static_cast<double>(1 + seed % 5)));
     ASSERT_EQ(built.status(), hsp::Status::ok);
-    const BuiltMesh mesh(0.3 * largest, built.balls(), built.boundary(), built.surface());
+    const BuiltMesh mesh(0.3 * largest, built.balls(), built.boundary(), &built.surface());
     if (mesh.retries() > 0) ++more_room;
     ASSERT_EQ(mesh.status(), hsp::Status::ok) << seed;
     if (mesh.is_closed()) ++closed;
@@ -237,7 +237,7 @@ TEST(MeshBuilder, SmoothSurfacesConverge) {
     double area[3], volume[3];
     for (int k = 0; k < 3; ++k) {
       const double edge = built.balls().lattice.steps(0.4 / (1 << k));
-      const BuiltMesh mesh(edge, built.balls(), built.boundary(), built.surface());
+      const BuiltMesh mesh(edge, built.balls(), built.boundary(), &built.surface());
       ASSERT_EQ(mesh.status(), hsp::Status::ok);
       area[k] = exact.area() - mesh.area();
       volume[k] = exact.volume - mesh.volume();
@@ -257,7 +257,7 @@ TEST(MeshBuilder, TrianglesOfEachPatch) {
   const support::BallList lengths = oracle::in_lengths(oracle::loose_balls(random, 30), 1);
   const BuiltSurface built(lengths, 300.0);
   ASSERT_EQ(built.status(), hsp::Status::ok);
-  const BuiltMesh mesh(200.0, built.balls(), built.boundary(), built.surface());
+  const BuiltMesh mesh(200.0, built.balls(), built.boundary(), &built.surface());
   ASSERT_EQ(mesh.status(), hsp::Status::ok);
   const hsp::SurfaceMap map(built.balls(), built.boundary(), built.surface());
   uint32_t next = 0;
@@ -288,7 +288,7 @@ TEST(MeshBuilder, TiedSurfacesAreRefusedOrClosed) {
                                {4, 12, 12, 3}, {8, 0, 12, 3}, {0, 0, 12, 5}, {4, 6, 12, 3}};
   const BuiltSurface built(oracle::in_lengths(balls, 1), 4.0);
   ASSERT_EQ(built.status(), hsp::Status::ok);
-  const BuiltMesh mesh(5.0, built.balls(), built.boundary(), built.surface());
+  const BuiltMesh mesh(5.0, built.balls(), built.boundary(), &built.surface());
   if (mesh.status() == hsp::Status::ok) {
     EXPECT_TRUE(mesh.is_closed());
   } else {
@@ -313,7 +313,7 @@ TEST(MeshBuilder, ChosenShells) {
       ASSERT_EQ(built.choose({shell}), hsp::Status::ok);
       ASSERT_EQ(built.status(), hsp::Status::ok);
       EXPECT_EQ(built.surface().cusped_circles().count() > 0, probe > 0.0);
-      const BuiltMesh mesh(100.0, built.balls(), built.boundary(), built.surface());
+      const BuiltMesh mesh(100.0, built.balls(), built.boundary(), &built.surface());
       ASSERT_EQ(mesh.status(), hsp::Status::ok);
       EXPECT_TRUE(mesh.is_closed());
       EXPECT_EQ(mesh.euler(), 2);
@@ -328,7 +328,7 @@ TEST(MeshBuilder, WithoutAProbe) {
   oracle::RandomSource random(5);
   const BuiltSurface built(oracle::in_lengths(oracle::loose_balls(random, 12), 1), 0.0);
   ASSERT_EQ(built.status(), hsp::Status::ok);
-  const BuiltMesh mesh(300.0, built.balls(), built.boundary(), built.surface());
+  const BuiltMesh mesh(300.0, built.balls(), built.boundary(), &built.surface());
   ASSERT_EQ(mesh.status(), hsp::Status::ok);
   EXPECT_TRUE(mesh.is_closed());
   EXPECT_EQ(mesh.euler(), built.boundary().euler());

@@ -38,7 +38,7 @@ TEST(PatchFromLoops, CloseTheMesh) {
     double missing[2];
     for (int k = 0; k < 2; ++k) {
       const BuiltMesh mesh(0.1 * static_cast<double>(set.balls[0].radius) / (k + 1), built.balls(), built.boundary(),
-                           built.surface());
+                           &built.surface());
       ASSERT_EQ(mesh.status(), hsp::Status::ok);
       EXPECT_TRUE(mesh.is_closed());
       EXPECT_EQ(mesh.euler(), set.euler);

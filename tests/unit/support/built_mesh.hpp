@@ -14,14 +14,14 @@ class BuiltMesh {
  public:
   using Point = std::array<double, 3>;
 
-  // The mesh of a boundary, or of a smooth surface over a boundary. Limits start with those expected to suffice.
+  // The mesh of balls and their boundary, or of the smooth surface over it, as in MeshedSurface. Limits start with those expected to suffice.
   template <class... Source>
   BuiltMesh(double edge, const Source &...source) {
     hsp::MeshLimits limits;
-    EXPECT_EQ(hsp::expected_mesh_limits(source..., edge, limits), hsp::Status::ok);
+    EXPECT_EQ(hsp::expected_mesh_limits({source...}, edge, limits), hsp::Status::ok);
     for (;;) {
       memory_.carve(builder_, limits);
-      status_ = builder_.build(source..., edge);
+      status_ = builder_.build({source...}, edge);
       if (status_ != hsp::Status::capacity || retries_ == 20) break;
       limits = builder_.retry_limits();
       ++retries_;
