@@ -62,17 +62,14 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, Pat
   if (balls.probe_steps == 0) {
     for (uint32_t v = 0; v < needed_.vertices; ++v) cut.begin_vertex(v);
     cut.finish(needed_.vertices);
-    surface_.touching_.count();
     surface_.concave_.clear(needed_.vertices);
-    surface_.shells_.find(boundary, cusped, cut, patience);
-    return patience.allows(0) ? Status::ok : Status::stopped;
+  } else {
+    if (!grid_.build(balls, boundary, patience)) return Status::stopped;
+    const Status status = find_patches(ActualBalls(balls, boundary), patience);
+    if (status != Status::ok) return status;
+    if (!surface_.concave_.measure(balls, boundary, grid_.positions(), cut, patience)) return Status::stopped;
   }
-  if (!grid_.build(balls, boundary, patience)) return Status::stopped;
-  const ActualBalls actual(balls, boundary);
-  const Status status = find_patches(actual, patience);
-  if (status != Status::ok) return status;
   surface_.touching_.count();
-  if (!surface_.concave_.measure(balls, boundary, grid_.positions(), cut, patience)) return Status::stopped;
   surface_.shells_.find(boundary, cusped, cut, patience);
   return patience.allows(0) ? Status::ok : Status::stopped;
 }

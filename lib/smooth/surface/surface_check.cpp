@@ -107,16 +107,13 @@ class SurfaceChecker : FirstViolation<SurfaceInvariant> {
     const ArcPosition at = position_of_edge(map_, id);
     const double off = arc.angle - cut.arc(arc.twin).angle, most = tolerance * length_ / at.radius;
     bool good = off <= most && -off <= most;
-    const auto from_centre = [&](uint32_t corner) {
-      return from_origin(position_of_corner(map_, corner)) - from_origin(at.centre);
-    };
     for (const uint32_t b : cut.arcs_of_vertex(cut.vertex_of_arc(a))) {
       const PatchArc &other = cut.arc(b);
       if (b == a || other.across != arc.across || !good) continue;
       good = arc.corner != no_id && other.corner != no_id;
       if (!good) continue;
       // From 0 to a whole turn; corners of nearly one place may be either.
-      const double turn = turn_about(at.axis, from_centre(arc.corner), from_centre(other.corner));
+      const double turn = turn_about(at.axis, arm_to(arc.corner, at), arm_to(other.corner, at));
       const auto is_apart = [&](double start) {
         return start >= arc.angle - most && start + other.angle <= 2 * pi + most;
       };
@@ -128,13 +125,17 @@ class SurfaceChecker : FirstViolation<SurfaceInvariant> {
   Vec3 from_origin(const Position &position) const {
     return offset_from_origin(balls_, boundary_, position.ball) + position.offset;
   }
+  // From the centre of an edge to a corner.
+  Vec3 arm_to(uint32_t corner, const ArcPosition &edge) const {
+    return from_origin(position_of_corner(map_, corner)) - from_origin(edge.centre);
+  }
 
   // A corner lies on the circle of each edge that starts there.
   void check_corner(uint32_t h) {
     const uint32_t corner = map_.origin(h);
     if (corner == no_id) return;
     const ArcPosition arc = position_of_edge(map_, h / 2);
-    const Vec3 arm = from_origin(position_of_corner(map_, corner)) - from_origin(arc.centre);
+    const Vec3 arm = arm_to(corner, arc);
     const double above = dot(arm, arc.axis);
     const double beside = std::sqrt(dot(arm, arm)) - arc.radius;
     const double most = tolerance * length_;

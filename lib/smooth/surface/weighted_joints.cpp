@@ -51,25 +51,21 @@ struct SaddleCircle {
 struct SideSpeed {
   double of_vertex = 0.0, of_centre = 0.0;
 
-  SideSpeed(const BallSet &balls, uint32_t a, uint32_t b, double weight, double other_weight) {
-    if (weight == 0.0 && other_weight == 0.0) return;
-    const SaddleCircle circle(balls, a, b);
-    if (!(circle.radius > 0.0)) return;
-    const Profile profile = circle.weighted(weight, other_weight);
-    sum(circle, profile.T[0], profile.S[0], profile.Q[0]);
-  }
-  // The same for another arc in a plane through the circle's axis, from its integrals of 1, cosine and sine.
+  SideSpeed() = default;
+  // For any arc in a plane through the circle's axis, from its integrals of 1, cosine and sine.
   SideSpeed(const SaddleCircle &circle, double T, double S, double Q) {
-    if (circle.radius > 0.0) sum(circle, T, S, Q);
-  }
-
- private:
-  void sum(const SaddleCircle &circle, double T, double S, double Q) {
+    if (!(circle.radius > 0.0)) return;
     const double p = circle.probe;
     of_vertex = p * (T - p * S / circle.radius);
     of_centre = p * p * (circle.other_height * S - circle.radius * Q) / (circle.radius * circle.distance);
   }
 };
+SideSpeed speed_of_side(const BallSet &balls, uint32_t a, uint32_t b, double weight, double other_weight) {
+  if (weight == 0.0 && other_weight == 0.0) return {};
+  const SaddleCircle circle(balls, a, b);
+  const Profile profile = circle.weighted(weight, other_weight);
+  return {circle, profile.T[0], profile.S[0], profile.Q[0]};
+}
 
 }  // namespace
 
@@ -206,8 +202,8 @@ bool WeightedJoints::turn_crease(uint32_t vertex, uint32_t across, const SphereA
   for (uint32_t k = 0; k < 3; ++k) {
     const uint32_t a = k == 0 ? 1 : 0;
     const uint32_t b = k == 2 ? 1 : 2;
-    const SideSpeed speed(balls_, contacts.ball[a], contacts.ball[b], weight_of(contacts.ball[a]) - mean,
-                          weight_of(contacts.ball[b]) - mean);
+    const SideSpeed speed = speed_of_side(balls_, contacts.ball[a], contacts.ball[b],
+                                          weight_of(contacts.ball[a]) - mean, weight_of(contacts.ball[b]) - mean);
     const Vec3 normal = cross(contacts.normal[a], contacts.normal[b]);
     const double sine = std::sqrt(dot(normal, normal));
     const double scale = sine > 0.0 ? (k == 1 ? contacts.sign : -contacts.sign) / sine : 0.0;

@@ -22,11 +22,7 @@ class WideFloatOf {
   WideFloatOf() {}  // 0, exactly
   // value * 2^exponent, exactly. bits: the width, a multiple of 64, the same for all numbers of one expression.
   WideFloatOf(int64_t value, uint32_t bits, int32_t exponent = 0)
-      : exponent_(exponent),
-        bits_(static_cast<uint16_t>(bits)),
-        sign_(static_cast<int8_t>(value > 0   ? 1
-                                  : value < 0 ? -1
-                                              : 0)) {
+      : exponent_(exponent), bits_(static_cast<uint16_t>(bits)), sign_(static_cast<int8_t>((value > 0) - (value < 0))) {
     const uint64_t magnitude = value < 0 ? uint64_t{0} - static_cast<uint64_t>(value) : static_cast<uint64_t>(value);
     for (uint32_t k = 0; k < limbs(); ++k) limb_[k] = 0;
     for (uint32_t shift = 0; shift < 64; shift += limb_bits)
