@@ -1,6 +1,7 @@
 #include "surface/creases.hpp"
 
 #include "core/first_index.hpp"
+#include "core/sorting.hpp"
 #include "surface/actual_points.hpp"
 #include "surface/covered_gaps.hpp"
 
@@ -167,19 +168,10 @@ Status Creases::add_creases(const ProbeGrid &grid, uint32_t v, uint32_t w, bool 
   for (uint32_t k = 1; k < n; ++k) {
     ends[k].in_second_half = actual_->turn(v, w, point(ends[0].number), point(ends[k].number)) < 0;
   }
-  for (uint32_t k = 2; k < n; ++k) {
-    const CreaseEnd moved = ends[k];
-    uint32_t to = k;
-    for (; to > 1; --to) {
-      const CreaseEnd &before = ends[to - 1];
-      const bool in_order = before.in_second_half != moved.in_second_half
-                                ? moved.in_second_half
-                                : actual_->turn(v, w, point(before.number), point(moved.number)) > 0;
-      if (in_order) break;
-      ends[to] = before;
-    }
-    ends[to] = moved;
-  }
+  sort_in_place(ends.part(1, n), [&](const CreaseEnd &a, const CreaseEnd &b) {
+    if (a.in_second_half != b.in_second_half) return b.in_second_half;
+    return actual_->turn(v, w, point(b.number), point(a.number)) <= 0;
+  });
   for (uint32_t k = 0; k < n; ++k) {
     const CreaseEnd &end = ends[k], &next = ends[k + 1 < n ? k + 1 : 0];
     if (end.starts == next.starts) return Status::degenerate;

@@ -13,13 +13,6 @@ bool passes_through_vertex(const BallSet &balls, const VertexRecord &vertex, uin
 // Whether it contains the whole circle of two balls that meet.
 bool contains_circle(const BallSet &balls, uint32_t first, uint32_t second, uint32_t ball);
 
-// False only if the three centres are not on one line: equal products are equal when they are rounded, too.
-inline bool may_be_on_one_line(const BallSet &balls, uint32_t a, uint32_t b, uint32_t c) {
-  const Vec3 u = balls.difference(a, b);
-  const Vec3 v = balls.difference(a, c);
-  return u.x * v.y == u.y * v.x && u.y * v.z == u.z * v.y && u.z * v.x == u.x * v.z;
-}
-
 // Calls visit(ball), several times for some. any_tied: false if no vertex is tied.
 template <class Visit>
 void visit_degenerate_balls(const CubeGrid &grid, const Boundary &boundary, const Surface &surface, bool any_tied,
@@ -43,7 +36,7 @@ void visit_degenerate_balls(const CubeGrid &grid, const Boundary &boundary, cons
     const uint32_t first = boundary.circle(c).ball[0];
     const uint32_t second = boundary.circle(c).ball[1];
     for_each_near(first, [&](uint32_t j) {
-      if (!may_be_on_one_line(balls, first, second, j) || !contains_circle(balls, first, second, j)) return;
+      if (!contains_circle(balls, first, second, j)) return;
       visit(first);
       visit(second);
       visit(j);

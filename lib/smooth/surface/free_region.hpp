@@ -100,6 +100,9 @@ class FreeRegionFinder {
     double error;   // as of corners
   };
 
+  static Answer is_positive(double value, double error) {
+    return value > error ? Answer::yes : value < -error ? Answer::no : Answer::unknown;
+  }
   // Whether two circles j < k cross, and where if they certainly do.
   Answer find_crossing(uint32_t j, uint32_t k, Crossing &crossing) const {
     const CircleCrossing<Vec3, double> pair(caps_.axis(j), caps_.b[j], caps_.axis(k), caps_.b[k]);
@@ -114,15 +117,12 @@ class FreeRegionFinder {
   }
   // Whether cap r contains p+ or p-.
   Answer contains(const Crossing &crossing, int sign, uint32_t r) const {
-    const double above = dot(caps_.axis(r), crossing.point[sign > 0 ? 1 : 0]) - caps_.b[r];
-    return above > crossing.error ? Answer::yes : above < -crossing.error ? Answer::no : Answer::unknown;
+    return is_positive(dot(caps_.axis(r), crossing.point[sign > 0 ? 1 : 0]) - caps_.b[r], crossing.error);
   }
   // Whether cap r contains circle k, which does not cross its circle, by the centre a u of k: error of a g - b at most
   // 7 A + (2 * 3.5 A + 3) + 7 A + 2.
   Answer lies_inside(uint32_t k, uint32_t r) const {
-    const double above = caps_.b[k] * dot(caps_.axis(k), caps_.axis(r)) - caps_.b[r];
-    const double certain = 32 * error_;
-    return above > certain ? Answer::yes : above < -certain ? Answer::no : Answer::unknown;
+    return is_positive(caps_.b[k] * dot(caps_.axis(k), caps_.axis(r)) - caps_.b[r], 32 * error_);
   }
   // Seen from the circle's centre each end is uncertain by its error over the circle's radius. Negative if the angle
   // may be 0 or 2 pi.
