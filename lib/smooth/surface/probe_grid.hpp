@@ -83,8 +83,8 @@ class ProbeGrid {
   float square_of_reach_ = 0.0F, inverse_square_of_reach_ = 0.0F, margin_ = 0.0F;
 };
 
-// gather_triangles finds the balls of vertices from `first` on, by rank, with signs and discriminants; measure_triangles
-// finds everything about their triangles. Behind the last vertex lanes repeat it.
+// gather_triangles finds the balls of vertices from `first` on, by rank, with signs and discriminants;
+// measure_triangles finds everything about their triangles. Behind the last vertex lanes repeat it.
 void gather_triangles(const Boundary &boundary, const ProbePositions &positions, uint32_t first,
                       ProbeTriangles &triangles);
 void measure_triangles(const BallSet &balls, const Boundary &boundary, const ProbePositions &positions, uint32_t first,

@@ -14,7 +14,8 @@ class BuiltMesh {
  public:
   using Point = std::array<double, 3>;
 
-  // The mesh of balls and their boundary, or of the smooth surface over it, as in MeshedSurface. Limits start with those expected to suffice.
+  // The mesh of balls and their boundary, or of the smooth surface over it, as in MeshedSurface. Limits start with
+  // those expected to suffice.
   template <class... Source>
   BuiltMesh(double edge, const Source &...source) {
     hsp::MeshLimits limits;
