@@ -40,7 +40,7 @@ bool contains(const Vector &centre, int64_t half, const Vector &other, int64_t o
 
 }  // namespace
 
-void CriticalPoints::carve(Workspace &workspace, const CriticalLimits &limits) {
+void CriticalPoints::carve(Workspace &workspace, const PoreLimits &limits) {
   limits_ = limits;
   maxima_ = FixedVector<PoreMaximum>(workspace.take<PoreMaximum>(limits.maxima));
   gates_ = FixedVector<PoreGate>(workspace.take<PoreGate>(limits.gates));

@@ -28,15 +28,6 @@
 
 namespace hsp {
 
-struct CriticalLimits {
-  uint32_t balls = 0;
-  uint32_t maxima = 0;
-  uint32_t gates = 0;
-  uint32_t tied = 0;        // the sum of all nearest balls of points where more tie than span the point
-  uint32_t candidates = 0;  // balls that may be nearest, summed over all cubes that are being halved
-  uint32_t near = 0;        // the candidates of one cube whose sets are tried
-};
-
 class PoresBuilder;
 
 class CriticalPoints {
@@ -52,7 +43,7 @@ class CriticalPoints {
     uint64_t cubes = 0, leaves = 0, triples = 0, quadruples = 0;
   };
 
-  void carve(Workspace &workspace, const CriticalLimits &limits);
+  void carve(Workspace &workspace, const PoreLimits &limits);
   // No ball lies inside another one; points name balls by their numbers in `balls`. Status::capacity: a limit is too
   // small, and needed() tells what suffices as far as it is known. Status::range: an image is too many boxes away.
   // Status::stopped: patience allows no more work. before: null, or pores with all points above this floor whose balls
@@ -70,7 +61,7 @@ class CriticalPoints {
   const FixedVector<SmallShift> &tied_shifts() const { return tied_shifts_; }
   // The names of the maxima; the caller may enter other numbers when it has sorted them.
   NameTable &maximum_names() { return maximum_names_; }
-  const CriticalLimits &needed() const { return needed_; }
+  const PoreLimits &needed() const { return needed_; }
   const Work &work() const { return work_; }
   // The name of the point to which translation number `translation` takes the point of this name.
   PointName moved_name(const PointName &name, uint32_t translation);
@@ -176,7 +167,7 @@ class CriticalPoints {
   Span<Vec3> hull_, room_;           // [near] directions to a point; vectors to it, or directions to balls that tie
   Span<double> inverse_;             // [near] inverse lengths of these vectors; or distances to the balls
   Span<FineCube> fine_cubes_;
-  CriticalLimits limits_, needed_;
+  PoreLimits limits_, needed_;
   Work work_;
   bool beyond_reach_ = false;
   Patience patience_;

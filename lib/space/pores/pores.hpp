@@ -35,6 +35,22 @@ constexpr uint32_t node_of(uint32_t maximum) {
   return maximum == pore_outside ? 0 : maximum + 1;
 }
 
+struct PoreLimits {
+  uint32_t balls = 0;  // in a box together with their images
+  uint32_t maxima = 0;
+  uint32_t gates = 0;
+  uint32_t tied = 0;        // the sum of all nearest balls of points where more tie than span the point
+  uint32_t candidates = 0;  // balls that may be nearest, summed over all cubes that are being halved
+  uint32_t near = 0;        // balls around one piece of a way up, or candidates of one cube whose sets are tried
+};
+
+// Limits that suffice for most molecules. Status::range if one would be larger than max_count.
+constexpr Status default_limits(uint32_t balls, PoreLimits &limits) {
+  if (balls > (max_count - 2048) / 8) return Status::range;
+  limits = {balls, 2 * balls + 64, 4 * balls + 128, balls + 256, 4 * balls + 2048, balls + 16};
+  return Status::ok;
+}
+
 // Multiples of the vectors of a box in one number, 0 for none.
 struct SmallShift {
   static constexpr int32_t largest = 511;

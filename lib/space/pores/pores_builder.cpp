@@ -9,7 +9,7 @@ namespace hsp {
 void PoresBuilder::carve(Workspace &workspace, const PoreLimits &limits) {
   limits_ = limits;
   balls_.carve(workspace, limits.balls, limits.near);
-  critical_.carve(workspace, {limits.balls, limits.maxima, limits.gates, limits.tied, limits.candidates, limits.near});
+  critical_.carve(workspace, limits);
   ways_.carve(workspace, limits.near, limits.balls);
   compared_.carve(workspace, 8, limits.balls);
   maxima_ = critical_.maxima().room();
@@ -21,13 +21,13 @@ void PoresBuilder::carve(Workspace &workspace, const PoreLimits &limits) {
 }
 
 PoreLimits PoresBuilder::retry_limits() const {
+  PoreLimits limits = covering(limits_, needed_);
   // The need of scratch memory is known only up to where the work ended, so that it grows by a half more.
-  const auto step = [](uint32_t limit, uint32_t needed) {
-    return needed > limit ? clamped_count(static_cast<uint64_t>(needed) + needed / 2) : limit;
-  };
-  return {larger_count(limits_.balls, needed_.balls),   larger_count(limits_.maxima, needed_.maxima),
-          larger_count(limits_.gates, needed_.gates),   larger_count(limits_.tied, needed_.tied),
-          step(limits_.candidates, needed_.candidates), step(limits_.near, needed_.near)};
+  for (uint32_t PoreLimits::*scratch : {&PoreLimits::candidates, &PoreLimits::near}) {
+    const uint32_t limit = limits.*scratch;
+    if (limit > limits_.*scratch) limits.*scratch = clamped_count(static_cast<uint64_t>(limit) + limit / 2);
+  }
+  return limits;
 }
 
 void PoresBuilder::begin(uint32_t balls) {
@@ -56,13 +56,8 @@ Status PoresBuilder::build(const PeriodicImages &images, int64_t floor, Patience
 
 Status PoresBuilder::build_from(int64_t floor, Patience &patience, const PoresBuilder *before) {
   Status status = critical_.find(balls_, floor, patience, before);
-  const CriticalLimits &needed = critical_.needed();
-  needed_.balls = larger_count(needed_.balls, larger_count(balls_.needed_balls(), needed.balls));
-  needed_.maxima = needed.maxima;
-  needed_.gates = needed.gates;
-  needed_.tied = needed.tied;
-  needed_.candidates = needed.candidates;
-  needed_.near = larger_count(needed_.near, needed.near);
+  needed_ = covering(needed_, critical_.needed());
+  needed_.balls = larger_count(needed_.balls, balls_.needed_balls());
   if (status != Status::ok) return status;
   status = climb_from_gates(patience);
   if (status == Status::ok) sort_points(patience);

@@ -2,27 +2,12 @@
 #pragma once
 
 #include "core/disjoint_sets.hpp"
+#include "core/limits.hpp"
 #include "periodic/windings.hpp"
 #include "pores/critical_points.hpp"
 #include "pores/way_up.hpp"
 
 namespace hsp {
-
-struct PoreLimits {
-  uint32_t balls = 0;  // in a box together with their images
-  uint32_t maxima = 0;
-  uint32_t gates = 0;
-  uint32_t tied = 0;        // the sum of all nearest balls of points where more tie than span the point
-  uint32_t candidates = 0;  // scratch memory of the search
-  uint32_t near = 0;        // balls around one piece of a way up, or around one cube
-};
-
-// Limits that suffice for most molecules. Status::range if one would be larger than max_count.
-constexpr Status default_limits(uint32_t balls, PoreLimits &limits) {
-  if (balls > (max_count - 2048) / 8) return Status::range;
-  limits = {balls, 2 * balls + 64, 4 * balls + 128, balls + 256, 4 * balls + 2048, balls + 16};
-  return Status::ok;
-}
 
 // The gates below which a class of a periodic box first goes on for ever in one, two and three directions: the widest
 // gates by which a probe gets so far.

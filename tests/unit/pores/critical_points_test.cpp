@@ -227,11 +227,11 @@ TEST(CriticalPoints, EveryLimitIsReported) {
   const oracle::Balls balls = pore_sets::general_set(random, 40, 0);
   const FoundPoints whole(balls, -200000000);
   ASSERT_EQ(whole.status(), hsp::Status::ok);
-  const hsp::CriticalLimits needed = whole.points().needed();
-  for (uint32_t hsp::CriticalLimits::*limit :
-       {&hsp::CriticalLimits::maxima, &hsp::CriticalLimits::gates, &hsp::CriticalLimits::candidates}) {
+  const hsp::PoreLimits needed = whole.points().needed();
+  for (uint32_t hsp::PoreLimits::*limit :
+       {&hsp::PoreLimits::maxima, &hsp::PoreLimits::gates, &hsp::PoreLimits::candidates}) {
     for (const uint32_t value : {0U, 1U, needed.*limit - 1}) {
-      hsp::CriticalLimits limits = FoundPoints::roomy(balls);
+      hsp::PoreLimits limits = FoundPoints::roomy(balls);
       limits.*limit = value;
       const FoundPoints found(balls, -200000000, limits);
       EXPECT_EQ(found.status(), hsp::Status::capacity);

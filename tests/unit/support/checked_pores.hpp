@@ -25,7 +25,7 @@ struct Seen {
 class FoundPoints {
  public:
   FoundPoints(const oracle::Balls &outer, int64_t floor) : FoundPoints(outer, floor, roomy(outer)) {}
-  FoundPoints(const oracle::Balls &outer, int64_t floor, const hsp::CriticalLimits &limits)
+  FoundPoints(const oracle::Balls &outer, int64_t floor, const hsp::PoreLimits &limits)
       : grid_(BuiltPores::listed(outer)) {
     const auto n = static_cast<uint32_t>(outer.size());
     ball_memory_.carve(balls_, n, n);
@@ -34,7 +34,7 @@ class FoundPoints {
     status_ = balls_.take(grid_.grid(), endless);
     if (status_ == hsp::Status::ok) status_ = points_.find(balls_, floor, endless);
   }
-  static hsp::CriticalLimits roomy(const oracle::Balls &balls) {
+  static hsp::PoreLimits roomy(const oracle::Balls &balls) {
     const auto n = static_cast<uint32_t>(balls.size());
     return {n, 40 * n + 200, 80 * n + 200, 4000, 200 * n + 4000, n + 8};
   }
