@@ -169,12 +169,7 @@ void TunnelFinder::close_route(const PoresBuilder &pores, uint32_t from, Step cl
 
 void TunnelFinder::add_point(const PoresBuilder &pores, const CriticalPoint &point, const BoxShift &copy, uint32_t gate,
                              uint32_t maximum) {
-  TunnelPoint added{point.position + translation(pores, copy), point.level, {}, {}, copy, gate, maximum};
-  for (int b = 0; b < 4; ++b) {
-    added.ball[b] = point.ball[b];
-    added.shift[b] = point.shift[b];
-  }
-  points_.push(added);
+  points_.push({point, point.position + translation(pores, copy), point.level, copy, gate, maximum});
 }
 
 void TunnelFinder::reverse(uint64_t first) {
@@ -233,7 +228,8 @@ Status TunnelFinder::add_way_up(const BallsAround &balls, const exact::Vector &s
     return at.near.ball == no_id ? at.level : at.level + static_cast<double>(balls.ball(at.near).radius);
   };
   const auto put = [&](const Place &at) {
-    points_.push({at.position, at.level, {at.near.ball, no_id, no_id, no_id}, {}, at.near.shift + copy, no_id, no_id});
+    const PointName name{{at.near.ball, no_id, no_id, no_id}, {}};
+    points_.push({name, at.position, at.level, at.near.shift + copy, no_id, no_id});
   };
   Ascent way(balls, start);
   const Vec3 origin = position_of(start) + by;
@@ -295,13 +291,9 @@ Status TunnelFinder::add_way(PoresBuilder &pores, uint32_t gate, uint32_t end, c
   if (status != Status::ok) return status;
   const Vec3 by = translation(pores, copy);
   for (const WayPoint &point : way_.items()) {
-    points_.push({point.position + by,
-                  point.level,
-                  {point.ball[0], point.ball[1], point.ball[2], no_id},
-                  {point.shift[0], point.shift[1], point.shift[2], {}},
-                  copy,
-                  no_id,
-                  no_id});
+    const PointName name{{point.ball[0], point.ball[1], point.ball[2], no_id},
+                         {point.shift[0], point.shift[1], point.shift[2], {}}};
+    points_.push({name, point.position + by, point.level, copy, no_id, no_id});
   }
   points_.set_count(points_.required() + (way_.required() - way_.size()));
   const PoreGate &passed = pores.gates()[gate];

@@ -17,14 +17,13 @@
 
 namespace hsp {
 
-struct TunnelPoint {
+// Named by nearest balls, of which there may be one alone; shifts are relative to `copy`.
+struct TunnelPoint : PointName {
   Vec3 position;
   double level;
-  uint32_t ball[4];     // nearest balls, by the caller's numbers; no_id behind the last one
-  SmallShift shift[4];  // in a box: which images they are, relative to `copy`
-  BoxShift copy;        // which copy of the gate or maximum it is, or of the point that the way leads up from
-  uint32_t gate;        // the gate at this point, or no_id
-  uint32_t maximum;     // the maximum at this point, or no_id
+  BoxShift copy;     // which copy of the gate or maximum it is, or of the point that the way leads up from
+  uint32_t gate;     // the gate at this point, or no_id
+  uint32_t maximum;  // the maximum at this point, or no_id
 };
 
 // The question: the ends of a tunnel, and how to choose it.

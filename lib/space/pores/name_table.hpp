@@ -1,27 +1,10 @@
-// A hash table from the names of points to their numbers: open addressing over the caller's memory. The name of a point
-// is the balls that span it.
+// A hash table from the names of points to their numbers: open addressing over the caller's memory.
 #pragma once
 
 #include "core/workspace.hpp"
 #include "pores/pores.hpp"
 
 namespace hsp {
-
-struct PointName {
-  uint32_t ball[4];
-  SmallShift shift[4];
-
-  bool operator==(const PointName &other) const = default;
-};
-
-inline PointName name_of(const CriticalPoint &point) {
-  PointName name;
-  for (uint32_t k = 0; k < 4; ++k) {
-    name.ball[k] = point.ball[k];
-    name.shift[k] = point.shift[k];
-  }
-  return name;
-}
 
 class NameTable {
  public:
@@ -63,7 +46,7 @@ class NameTable {
     const uint32_t mask = entries_.size() - 1;
     for (uint32_t slot = static_cast<uint32_t>(hash >> 32) & mask;; slot = (slot + 1) & mask) {
       const uint32_t number = entries_[slot];
-      if (number == no_id || name_of(records[number].point) == name) return slot;
+      if (number == no_id || records[number].point == name) return slot;
     }
   }
 

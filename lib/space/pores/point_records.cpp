@@ -49,10 +49,7 @@ void CriticalPoints::add_moved(CriticalPoint record, const Vec3 &off, const Poin
     return;
   }
   record.first_tied = clamped_count(tied_.required());
-  for (uint32_t k = 0; k < 4; ++k) {
-    record.ball[k] = own.ball[k];
-    record.shift[k] = own.shift[k];
-  }
+  static_cast<PointName &>(record) = own;
   const uint32_t first = own.ball[0];
   record.position = Vec3{balls.x[first], balls.y[first], balls.z[first]} + off;
   if (kind == PointKind::gate) {
