@@ -1,5 +1,7 @@
 #include "paths/path_finder.hpp"
 
+#include <algorithm>
+
 #include "cells/cell_location.hpp"
 #include "paths/free_segments.hpp"
 
@@ -51,11 +53,7 @@ Status PathFinder::find(const BallSet &balls, const exact::Vector &from, const e
   for (uint32_t time = 0; time < 2; ++time) {
     shorten(balls, patience);
     if (!patience.allows(0)) return stop();
-    for (uint32_t a = 0, b = points_.size() - 1; a < b; ++a, --b) {
-      const exact::Vector point = points_[a];
-      points_[a] = points_[b];
-      points_[b] = point;
-    }
+    std::reverse(points_.items().begin(), points_.items().end());
   }
   summary = {PathEnds::connected, true, 0.0, segment_clearance(balls, from, from)};
   for (uint32_t k = 1; k < points_.size(); ++k) {

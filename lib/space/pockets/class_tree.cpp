@@ -1,5 +1,6 @@
 #include "pockets/class_tree.hpp"
 
+#include "core/first_index.hpp"
 #include "lanes/floating_point.hpp"
 
 namespace hsp {
@@ -11,16 +12,7 @@ constexpr double below_end = 2.0;
 // How many records are not below a level; their levels descend.
 template <class Record>
 uint32_t count_not_below(Span<const Record> records, double level) {
-  uint32_t low = 0, high = records.size();
-  while (low < high) {
-    const uint32_t middle = low + (high - low) / 2;
-    if (records[middle].point.level < level) {
-      high = middle;
-    } else {
-      low = middle + 1;
-    }
-  }
-  return low;
+  return first_index(0, records.size(), [&](uint32_t k) { return records[k].point.level < level; });
 }
 
 // Sets the maximum of a location, and its copy, from the end of a way up. The way ends near the maximum or gate that is

@@ -1,16 +1,14 @@
 #include "pockets/tunnel.hpp"
 
+#include <algorithm>
 #include <initializer_list>
 
 #include "core/extremes.hpp"
+#include "core/rows.hpp"
 #include "core/sorting.hpp"
 
 namespace hsp {
 namespace {
-
-Vec3 position_of(const exact::Vector &point) {
-  return {static_cast<double>(point.x), static_cast<double>(point.y), static_cast<double>(point.z)};
-}
 
 // The vector of a shift. Without a box the shift is 0.
 Vec3 translation(const PoresBuilder &pores, const BoxShift &shift) {
@@ -44,15 +42,11 @@ void TunnelFinder::list_steps(const PoresBuilder &pores) {
     first_alike_[k] = alike ? first_alike_[k - 1] : k;
   }
   const uint32_t nodes = pores.maxima().size() + 1;
-  for (uint32_t k = 0; k <= nodes; ++k) first_[k] = 0;
+  for (uint32_t k = 0; k < nodes; ++k) first_[k] = 0;
   for (const PoreGate &gate : pores.gates()) {
     for (const uint32_t end : gate.end) ++first_[node_of(end)];
   }
-  uint32_t sum = 0;
-  for (uint32_t k = 0; k <= nodes; ++k) {
-    sum += first_[k];
-    first_[k] = sum;
-  }
+  end_rows(first_, nodes);
   for (uint32_t k = pores.gates().size(); k-- > 0;) {
     for (const uint32_t end : {1U, 0U}) steps_[--first_[node_of(pores.gates()[k].end[end])]] = {2 * k + end};
   }
@@ -148,11 +142,7 @@ void TunnelFinder::take_route(const PoresBuilder &pores, uint32_t from, uint32_t
     route_[route_count_++] = by;
     node = node_of(pores.gates()[by.gate()].end[by.end()]);
   }
-  for (uint32_t a = 0, b = route_count_; a + 1 < b; ++a) {
-    const Step other = route_[--b];
-    route_[b] = route_[a];
-    route_[a] = other;
-  }
+  std::reverse(route_.begin(), route_.begin() + route_count_);
 }
 
 // Makes a closed route: from the root to the node at which a step begins, by that step, and back to the root.
@@ -173,12 +163,7 @@ void TunnelFinder::add_point(const PoresBuilder &pores, const CriticalPoint &poi
 }
 
 void TunnelFinder::reverse(uint64_t first) {
-  if (points_.overflowed()) return;
-  for (auto a = static_cast<uint32_t>(first), b = points_.size(); a + 1 < b; ++a) {
-    const TunnelPoint other = points_[--b];
-    points_[b] = points_[a];
-    points_[a] = other;
-  }
+  if (!points_.overflowed()) std::reverse(points_.items().begin() + first, points_.items().end());
 }
 
 // The last points of a way up are close together; and a maximum that is given as an end would be there twice.
@@ -232,7 +217,7 @@ Status TunnelFinder::add_way_up(const BallsAround &balls, const exact::Vector &s
     points_.push({name, at.position, at.level, at.near.shift + copy, no_id, no_id});
   };
   Ascent way(balls, start);
-  const Vec3 origin = position_of(start) + by;
+  const Vec3 origin = to_double(start) + by;
   Place here = place_of(way, origin + way.offset());
   put(here);
   for (;;) {
@@ -246,7 +231,7 @@ Status TunnelFinder::add_way_up(const BallsAround &balls, const exact::Vector &s
     const auto between = [&](double share) {
       const Vec3 off = before + share * step;
       const exact::Vector at{start.x + nearest(off.x), start.y + nearest(off.y), start.z + nearest(off.z)};
-      return place_of(Ascent(balls, at), position_of(at) + by);
+      return place_of(Ascent(balls, at), to_double(at) + by);
     };
     double reach = smaller_of(reach_before, reach_of(here));
     const uint64_t first = points_.required();

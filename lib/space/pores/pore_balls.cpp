@@ -1,5 +1,6 @@
 #include "pores/pore_balls.hpp"
 
+#include "core/first_index.hpp"
 #include "core/sorting.hpp"
 
 namespace hsp {
@@ -78,16 +79,9 @@ bool PoreBalls::compare(const CubeGrid &grid, const PoreBalls &others, int64_t &
 // The ball whose centre is at a position; no_id for none. A binary search, as the balls are in the order of centres.
 uint32_t PoreBalls::ball_at(const exact::Vector &position) const {
   const Vec3 at = to_double(position);
-  uint32_t first = 0, last = own_;
-  while (first < last) {
-    const uint32_t k = first + (last - first) / 2;
-    const bool before = set_.x[k] != at.x ? set_.x[k] < at.x : set_.y[k] != at.y ? set_.y[k] < at.y : set_.z[k] < at.z;
-    if (before) {
-      first = k + 1;
-    } else {
-      last = k;
-    }
-  }
+  const uint32_t first = first_index(0, own_, [&](uint32_t k) {
+    return set_.x[k] != at.x ? set_.x[k] > at.x : set_.y[k] != at.y ? set_.y[k] > at.y : set_.z[k] >= at.z;
+  });
   const bool there = first < own_ && set_.x[first] == at.x && set_.y[first] == at.y && set_.z[first] == at.z;
   return there ? first : no_id;
 }
