@@ -26,12 +26,9 @@ uint32_t BallsAround::find(const LatticeQuery &query, NearImage *near, uint32_t 
     for (uint32_t k = 0; k < result.hits && result.hits <= room; ++k) near[k] = {ids[k], {}};
     return result.hits;
   }
-  exact::Vector at = query.centre;
-  BoxShift away;
-  if (box()->wrap(at, away) != Status::ok) return 0;
   uint32_t hits = 0;
-  visit_images_at(*periodic_, at, query.radius, [&](uint32_t ball, const BoxShift &shift) {
-    if (hits < room) near[hits] = {ball, away + shift};
+  visit(query, [&](const NearImage &image) {
+    if (hits < room) near[hits] = image;
     ++hits;
   });
   return hits;

@@ -77,17 +77,8 @@ Status CriticalPoints::find(PoreBalls &balls, int64_t floor, Patience patience, 
     return Status::ok;
   }
   if (box == nullptr) {
-    const BallSet &set = balls.set();
-    Vec3 low{set.x[0], set.y[0], set.z[0]}, high = low;
-    for (uint32_t i = 0; i < set.n; ++i) {
-      const auto cover = [](double x, double &least, double &most) {
-        least = x < least ? x : least;
-        most = x > most ? x : most;
-      };
-      cover(set.x[i], low.x, high.x);
-      cover(set.y[i], low.y, high.y);
-      cover(set.z[i], low.z, high.z);
-    }
+    Vec3 low, high;
+    balls.find_box(low, high);
     return search(low, high);
   }
   // Images are needed as far from the box as a ball can be nearest to a point in it. The reach is guessed, and grows
@@ -220,8 +211,7 @@ void CriticalPoints::halve(Cube &cube) {
   }
   parts.edge = static_cast<double>(step + 2);
   const BallSet &balls = *balls_;
-  const NearArrays near{balls.x.data(), balls.y.data(),           balls.z.data(),
-                        balls.r.data(), &candidates_[cube.first], cube.last - cube.first};
+  const NearArrays near = near_arrays(candidates_.part(cube.first, cube.last));
   find_nearest(target_, near, parts);
   for (uint32_t part = 0; part < 8; ++part) {
     const uint32_t ball = parts.nearest[part];

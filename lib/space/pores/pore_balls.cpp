@@ -58,6 +58,19 @@ Status PoreBalls::take(const PeriodicImages &images, Patience &patience) {
   return status;
 }
 
+void PoreBalls::find_box(Vec3 &low, Vec3 &high) const {
+  low = high = {0.0, 0.0, 0.0};
+  for (uint32_t i = 0; i < own_; ++i) {
+    const auto cover = [i](double x, double &least, double &most) {
+      least = i == 0 || x < least ? x : least;
+      most = i == 0 || x > most ? x : most;
+    };
+    cover(set_.x[i], low.x, high.x);
+    cover(set_.y[i], low.y, high.y);
+    cover(set_.z[i], low.z, high.z);
+  }
+}
+
 // Without a box the memory of images is free: ball_of_ has of each own ball its number in `others`.
 bool PoreBalls::compare(const CubeGrid &grid, const PoreBalls &others, int64_t &grown) {
   const uint32_t given = grid.balls().n;

@@ -34,6 +34,8 @@ class PoreBalls {
   uint32_t own() const { return own_; }
   const BallSet &set() const { return set_; }
   const PeriodicBox *box() const { return box_; }
+  // Sets the corners of the box around the centres of the own balls; 0 without balls.
+  void find_box(Vec3 &low, Vec3 &high) const;
   uint32_t callers(uint32_t own_ball) const { return callers_[own_ball]; }
   // The own ball that number k is or is an image of; and its shift.
   uint32_t ball_of(uint32_t k) const { return k < own_ ? k : ball_of_[k - own_]; }

@@ -81,9 +81,7 @@ bool are_congruent(const BallSet &balls, const uint32_t *a, const uint32_t *b, u
     Vec3 d[2] = {balls.difference(a[i], a[j]), balls.difference(b[k], b[l])};
     for (Vec3 &v : d) {
       v = {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)};
-      if (v.x > v.y) v = {v.y, v.x, v.z};
-      if (v.y > v.z) v = {v.x, v.z, v.y};
-      if (v.x > v.y) v = {v.y, v.x, v.z};
+      sort_three(v.x, v.y, v.z, [](double p, double q) { return p < q; });
     }
     return d[0].x == d[1].x && d[0].y == d[1].y && d[0].z == d[1].z;
   };

@@ -38,18 +38,7 @@ void WayUp::prepare(PoreBalls &all) {
   needed_near_ = 0;
   near_balls_.reset(all);
   beyond_reach_ = false;
-  low_ = {0.0, 0.0, 0.0};
-  high_ = low_;
-  const BallSet &balls = all.set();
-  for (uint32_t i = 0; i < all.own(); ++i) {
-    const auto cover = [i](double x, double &low, double &high) {
-      low = i == 0 || x < low ? x : low;
-      high = i == 0 || x > high ? x : high;
-    };
-    cover(balls.x[i], low_.x, high_.x);
-    cover(balls.y[i], low_.y, high_.y);
-    cover(balls.z[i], low_.z, high_.z);
-  }
+  all.find_box(low_, high_);
   const Vec3 size = high_ - low_;
   extent_ = std::sqrt(dot(size, size)) * (1.0 + 0x1p-50) + 4.0;
 }
@@ -65,21 +54,16 @@ bool WayUp::is_tied(uint32_t ball) const {
   return false;
 }
 
-// Whether none of the nearest balls gets nearer at once on a way. The second is for a way that begins at the lowest
-// point of its curve, in the plane of the centres.
-bool WayUp::is_open(const Way &way) {
+// The first of the nearest balls that gets nearer at once on a way; no_id if there is none. from_lowest: whether the way
+// begins at the lowest point of its curve, in the plane of the centres.
+uint32_t WayUp::find_nearer(const Way &way, bool from_lowest) const {
   for (const uint32_t ball : tied_.items()) {
-    if (!is_of_curve(way.curve, ball) && point_.departure(way.curve, way.side, ball) < 0) return false;
+    if (is_of_curve(way.curve, ball)) continue;
+    const int departure = from_lowest ? departure_from_lowest(*balls_, way.curve, way.side, ball)
+                                      : point_.departure(way.curve, way.side, ball);
+    if (departure < 0) return ball;
   }
-  return true;
-}
-bool WayUp::is_open_from_lowest(const Way &way) {
-  for (const uint32_t ball : tied_.items()) {
-    if (!is_of_curve(way.curve, ball) && departure_from_lowest(*balls_, way.curve, way.side, ball) < 0) {
-      return false;
-    }
-  }
-  return true;
+  return no_id;
 }
 
 // Begins with three balls whose triangle has the gate in its inside. If another ball gets nearer on their curve, it
@@ -90,11 +74,7 @@ bool WayUp::find_lowest(const TangentCurve &named, int side, Way &way) {
   bool on_side = false;
   if (!is_in_triangle(*balls_, point_, named.base, named.second, named.third, on_side) || on_side) return false;
   for (uint32_t turn = 0; turn < tied_.size(); ++turn) {
-    uint32_t nearer = no_id;
-    for (uint32_t k = 0; k < tied_.size() && nearer == no_id; ++k) {
-      const uint32_t ball = tied_[k];
-      if (!is_of_curve(way.curve, ball) && departure_from_lowest(*balls_, way.curve, way.side, ball) < 0) nearer = ball;
-    }
+    const uint32_t nearer = find_nearer(way, true);
     if (nearer == no_id) return true;
     const TangentCurve before = way.curve;
     for (uint32_t corner = 0; corner < 3; ++corner) {
@@ -135,7 +115,7 @@ bool WayUp::leave_gate(const TangentCurve &named, int side, Way &way) {
           continue;
         }
         way.side = tied_.size() == 3 || turn_alike(*balls_, named, way.curve) ? side : -side;
-        if (is_open_from_lowest(way)) return true;
+        if (is_open(way, true)) return true;
       }
     }
   }
@@ -184,7 +164,7 @@ bool WayUp::leave(Way &way) {
         way.side = directions.side_of_plane(a, b, c);
         if (way.side == 0) continue;
         in_one_plane = false;
-        if (!directions.is_closed(a, b, c, way.side) && is_open(way)) return true;
+        if (!directions.is_closed(a, b, c, way.side) && is_open(way, false)) return true;
       }
     }
   }
@@ -204,7 +184,7 @@ bool WayUp::leave(Way &way) {
         }
         for (const int side : {1, -1}) {
           way.side = side;
-          if (is_open_from_lowest(way)) return true;
+          if (is_open(way, true)) return true;
         }
       }
     }
@@ -226,7 +206,7 @@ bool WayUp::leave_in_plane(const TangentCurve &before, Way &way) {
       const int here = point_.side_of_curve(way.curve);
       for (const int side : {1, -1}) {
         way.side = side;
-        if (here == side ? is_open(way) : here == 0 && is_open_from_lowest(way)) return true;
+        if ((here == side || here == 0) && is_open(way, here == 0)) return true;
       }
     }
   }
@@ -467,15 +447,19 @@ Status WayUp::climb(const CriticalPoint &gate, Span<const uint32_t> tied, Span<c
 
 // Names point_ if four balls tie there and no more. False if that is not known.
 bool WayUp::name_vertex(Vertex &vertex) const {
-  if (tied_.size() != 4 || !point_.is_of_four()) return false;
-  const BoxShift first = shift_of(tied_[0]);
-  for (uint32_t k = 0; k < 4; ++k) {
-    const BoxShift shift = shift_of(tied_[k]) - first;
-    if (!SmallShift::fits(shift)) return false;
-    vertex.name.ball[k] = ball_of(tied_[k]);
-    vertex.name.shift[k] = SmallShift::of(shift);
-  }
   vertex.rising = point_.is_rising();
+  return tied_.size() == 4 && point_.is_of_four() && put_name(tied_.items().data(), vertex.name);
+}
+
+// Names a point by four balls, with shifts relative to the first. False if an image is too many boxes away from it.
+bool WayUp::put_name(const uint32_t *four, PointName &name) const {
+  const BoxShift first = shift_of(four[0]);
+  for (uint32_t k = 0; k < 4; ++k) {
+    const BoxShift shift = shift_of(four[k]) - first;
+    if (!SmallShift::fits(shift)) return false;
+    name.ball[k] = ball_of(four[k]);
+    name.shift[k] = SmallShift::of(shift);
+  }
   return true;
 }
 
@@ -490,13 +474,7 @@ Status WayUp::name_end(End &end) {
   uint32_t four[4];
   name_of(*balls_, point_, tied_.items(), PointKind::maximum, directions_, four);
   end.shift = shift_of(four[0]);
-  for (uint32_t k = 0; k < 4; ++k) {
-    const BoxShift shift = shift_of(four[k]) - end.shift;
-    if (!SmallShift::fits(shift)) return Status::range;
-    end.name.ball[k] = ball_of(four[k]);
-    end.name.shift[k] = SmallShift::of(shift);
-  }
-  return Status::ok;
+  return put_name(four, end.name) ? Status::ok : Status::range;
 }
 
 }  // namespace hsp

@@ -67,13 +67,14 @@ class WayUp {
   bool find_lowest(const TangentCurve &named, int side, Way &way);
   bool leave(Way &way);
   bool leave_in_plane(const TangentCurve &before, Way &way);
-  bool is_open(const Way &way);
-  bool is_open_from_lowest(const Way &way);
+  uint32_t find_nearer(const Way &way, bool from_lowest) const;
+  bool is_open(const Way &way, bool from_lowest) const { return find_nearer(way, from_lowest) == no_id; }
   Status follow(const Way &way, bool &outside);
   Status gather(const CurveShape &shape, const TangentCurve &curve, double from, int64_t to);
   bool first_event(const Way &way, const CurvePiece &piece, TangentPoint &event);
   bool is_beyond_box(const CurveShape &shape, uint32_t base, double z) const;
   bool name_vertex(Vertex &vertex) const;
+  bool put_name(const uint32_t *four, PointName &name) const;
   KnownEnd &known_end(const Vertex &vertex);
   Status name_end(End &end);
   bool is_tied(uint32_t ball) const;
