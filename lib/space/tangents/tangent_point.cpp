@@ -7,15 +7,20 @@
 namespace hsp {
 namespace {
 
+// The side of the root of a polynomial A l^2 + 2 b l + c at which it decreases on which some l is: -1 below, +1 above,
+// 0 at the root. value: the sign of the polynomial at l; falls: whether it decreases there.
+int side_of_falling_root(const Long &A, int value, bool falls) {
+  if (value == 0 && falls) return 0;
+  return (A.sign() > 0 ? value > 0 && falls : !(value <= 0 && falls)) ? -1 : 1;
+}
+
 // The sign of constant + slope l at the root of A l^2 + 2 b l + c at which that polynomial decreases.
 int sign_at_falling_root(const Long &A, const Long &b, const Long &c, const Long &constant, const Long &slope) {
   if (slope.sign() == 0) return constant.sign();
   const Long twice(2);
   const int value = (A * constant * constant - twice * (b * constant * slope) + c * slope * slope).sign();
   const bool falls = (b * slope - A * constant).sign() * slope.sign() < 0;
-  if (value == 0 && falls) return 0;
-  const bool before = A.sign() > 0 ? value > 0 && falls : !(value <= 0 && falls);
-  return before ? slope.sign() : -slope.sign();
+  return -slope.sign() * side_of_falling_root(A, value, falls);
 }
 
 // The parts of a line are computed in functions that are not inlined, so that their stack is not added up.
@@ -283,14 +288,6 @@ int TangentPoint::against(uint32_t axis, int64_t bound, double part) const {
   });
 }
 
-int TangentPoint::level_against(int64_t bound) const {
-  const double z = 2.0 * (balls_->r[curve_.base] + static_cast<double>(bound));
-  return sign_of([&]<class Number>() {
-    const Number zero = number<Number>(0.0);
-    return AffineForm<Number>{{zero, zero, zero}, number<Number>(1.0), number<Number>(-z), curve_.base};
-  });
-}
-
 int TangentPoint::compare_levels(const TangentPoint &other) const {
   const double shift = 2.0 * (balls_->r[other.curve_.base] - balls_->r[curve_.base]);
   const int certain = (z_ - other.z_ + Bounded(shift)).sign();
@@ -312,9 +309,7 @@ int TangentPoint::compare_levels(const TangentPoint &other) const {
     const Long zero = -own.c, per = twice * own.b;  // the root is zero / per
     value = (A * zero * zero + twice * (b * zero * per) + c * per * per).sign();
   }
-  if (value == 0 && slope < 0) return 0;
-  const bool below = A.sign() > 0 ? value > 0 && slope < 0 : !(value <= 0 && slope < 0);
-  return below ? -1 : 1;
+  return side_of_falling_root(A, value, slope < 0);
 }
 
 Vec3 TangentPoint::position_estimate() const {
@@ -339,16 +334,10 @@ double TangentPoint::estimate_closely(Vec3 &off, double &level) {
     return position_error() <= tolerable + 0x1p-20 && error <= tolerable;
   };
   if (is_good()) return error;
-  const CurveRows<Bounded> rows(*balls_, curve_);
-  estimate(SteepLine<Bounded>(rows, last_row(*balls_, curve_, rows, last_)));
+  *this = sharpened();
   if (is_good()) return error;
   const Line &line = exact_line();
   if (!line.there) return error;
-  const auto number_of = [](const Integer &a) {
-    int exponent = 0;
-    const double mantissa = a.leading(exponent);
-    return scaled(mantissa, exponent);
-  };
   const auto quotient = [](const Integer &a, const Integer &b) {
     int up = 0, down = 0;
     const double above = a.leading(up), below = b.leading(down);
@@ -367,9 +356,10 @@ double TangentPoint::estimate_closely(Vec3 &off, double &level) {
     int of_D = 0;
     const double D = line.D.leading(of_D);
     const double height = scaled((rising_ ? root : -root) / D, (up - down - (odd ? 1 : 0)) / 2 - of_D);
-    put(quotient(line.P.x, line.D) + height * number_of(line.Q.x),
-        quotient(line.P.y, line.D) + height * number_of(line.Q.y),
-        quotient(line.P.z, line.D) + height * number_of(line.Q.z), quotient(line.p, line.D));
+    const Integer one(1);
+    put(quotient(line.P.x, line.D) + height * quotient(line.Q.x, one),
+        quotient(line.P.y, line.D) + height * quotient(line.Q.y, one),
+        quotient(line.P.z, line.D) + height * quotient(line.Q.z, one), quotient(line.p, line.D));
     return tolerable + 0x1p-20;
   }
   // z is found by bisection: 2^bits z lies in [least, least + 2^size). Near the place where two balls touch a point
@@ -408,14 +398,8 @@ double TangentPoint::rounded_level(double level, double error, double unit) cons
     return std::fabs(estimate / unit - multiple) + within / unit < 0.499;
   };
   if (is_certain(level, error)) return multiple * unit;
-  // The sharper bounds.
-  const CurveRows<Bounded> rows(*balls_, curve_);
-  const SteepLine<Bounded> line(rows, last_row(*balls_, curve_, rows, last_));
-  Bounded z;
-  if (line.D.sign() != 0 && find_z(line, rising_, z)) {
-    const Bounded sharper = Bounded(0.5) * z - Bounded(balls_->r[curve_.base]);
-    if (sharper.error < unit && is_certain(sharper.value, sharper.error)) return multiple * unit;
-  }
+  const Bounded sharper = Bounded(0.5) * sharpened().z_ - Bounded(balls_->r[curve_.base]);
+  if (sharper.error < unit && is_certain(sharper.value, sharper.error)) return multiple * unit;
   static_cast<void>(is_certain(level, error));
   for (int turn = 0; turn < most_units && level_against_half(2.0 * multiple + 1.0, unit) >= 0; ++turn) multiple += 1.0;
   for (int turn = 0; turn < most_units && level_against_half(2.0 * multiple - 1.0, unit) < 0; ++turn) multiple -= 1.0;

@@ -127,7 +127,7 @@ class TangentPoint {
   // The sign of x - bound - part along an axis. part: below 2^40, a multiple of 2^-10 of a step.
   int against(uint32_t axis, int64_t bound, double part = 0.0) const;
   // The sign of t - bound; the sign of t less the t of another point.
-  int level_against(int64_t bound) const;
+  int level_against(int64_t bound) const { return level_against_half(2.0 * static_cast<double>(bound), 1.0); }
   int compare_levels(const TangentPoint &other) const;
 
   // Estimates of the filter stage, in steps, with their errors; an error is infinite if nothing is known.

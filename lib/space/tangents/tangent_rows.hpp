@@ -137,22 +137,18 @@ struct RoughLine {
     M *= l;
     if (last != no_id) S += l;
     const Vec3 N1 = cross(second.v, third.v), N2 = cross(third.v, first.v);
-    const double error_P = 64 * unit_roundoff * M * S, error_Q = 128 * unit_roundoff * M;
+    error_P = 64 * unit_roundoff * M * S;
+    error_Q = 128 * unit_roundoff * M;
     D = {dot(first.v, N1), 80 * unit_roundoff * M};
-    const Vec3 p = combine(first.w, N1, second.w, N2) + third.w * normal;
-    const Vec3 q = combine(-first.e, N1, -second.e, N2) - third.e * normal;
-    P = p;
-    Q = q;
-    error_of_P = error_P;
-    error_of_Q = error_Q;
+    P = combine(first.w, N1, second.w, N2) + third.w * normal;
+    Q = combine(-first.e, N1, -second.e, N2) - third.e * normal;
     // Each is a sum of three products, of vectors all components of which have one error bound: sqrt(3) < 1.75.
-    const double PP = dot(P, P), QQ = dot(Q, Q), size_P = std::sqrt(PP) + 2.0 * error_P,
-                 size_Q = std::sqrt(QQ) + 2.0 * error_Q;
+    const double PP = dot(P, P), QQ = dot(Q, Q), size_P = std::sqrt(PP) + 2.0 * error_P;
     const double rounding = 4 * unit_roundoff;
+    size_Q = std::sqrt(QQ) + 2.0 * error_Q;
     square_Q = {QQ, 3.5 * size_Q * error_Q + rounding * size_Q * size_Q};
     product = {dot(P, Q), 1.75 * (size_P * error_Q + size_Q * error_P) + rounding * size_P * size_Q};
     square_P = {PP, 3.5 * size_P * error_P + rounding * size_P * size_P};
-    length_of_Q = size_Q;
   }
   Bounded A() const { return square_Q - D * D; }
   Bounded b() const { return product; }
@@ -162,16 +158,15 @@ struct RoughLine {
     const double inverse = 1.0 / D.value;
     const Vec3 y = combine(inverse, P, inverse * z.value, Q);
     const double size = std::fabs(z.value) + z.error;
-    const double least = std::fabs(D.value) - D.error, length = std::sqrt(dot(P, P)) + length_of_Q * size;
-    const double error =
-        1.001 * ((error_of_P + error_of_Q * size + length_of_Q * z.error + 8 * unit_roundoff * length) / least +
-                 length * D.error / (least * least));
+    const double least = std::fabs(D.value) - D.error, length = std::sqrt(dot(P, P)) + size_Q * size;
+    const double error = 1.001 * ((error_P + error_Q * size + size_Q * z.error + 8 * unit_roundoff * length) / least +
+                                  length * D.error / (least * least));
     return {{y.x, error}, {y.y, error}, {y.z, error}};
   }
 
   Vec3 P, Q;
   Bounded D, square_P, product, square_Q;
-  double error_of_P, error_of_Q, length_of_Q;
+  double error_P, error_Q, size_Q;
 };
 
 template <class Number>
