@@ -27,14 +27,9 @@ namespace hsp {
 // How deep a point is behind the front of a ball. Above the centre: the square of the radius less that of the distance
 // from the centre; below it: the same with the distance in the view plane. Negative if the point is not behind.
 inline double depth_behind(const Vec3 &point, const SeenBall &ball) {
-  const double dx = point.x - ball.x;
-  const double dy = point.y - ball.y;
   const double dz = point.z - ball.z;
-  const double squared = ball.r * ball.r - dx * dx - dy * dy;
+  const double squared = ball.squared_height(point.x, point.y);
   return dz > 0.0 ? squared - dz * dz : squared;
-}
-inline bool is_behind(const Vec3 &point, const SeenBall &ball) {
-  return depth_behind(point, ball) > 0.0;
 }
 
 inline Vec3 silhouette_point(const SeenBall &ball, double t) {
@@ -185,9 +180,7 @@ struct BallScene {
   // The height of a body's front at a point at which it is seen, or near that; beside its disc that of its silhouette.
   double front_at(uint32_t body, double x, double y) const {
     const SeenBall &ball = balls[body];
-    const double dx = x - ball.x;
-    const double dy = y - ball.y;
-    const double squared = ball.r * ball.r - dx * dx - dy * dy;
+    const double squared = ball.squared_height(x, y);
     return squared > 0.0 ? ball.z + std::sqrt(squared) : ball.z;
   }
   // A lower bound of the distance from a point of the view plane to an edge that names the ball first.

@@ -114,7 +114,7 @@ void DiscGrid::gather(uint32_t i, FixedVector<uint32_t> &near) const {
   sort_ascending(near.items());
 }
 
-DiscGrid::Highest DiscGrid::highest_at(double x, double y, uint32_t except) const {
+HighestBody DiscGrid::highest_at(double x, double y, uint32_t except) const {
   constexpr double close = 0x1p-24;    // of the radius
   constexpr double farthest = 0x1p52;  // farther out than any disc, and still within integers
   if (std::fabs(x) > farthest || std::fabs(y) > farthest) return {no_id, true};
@@ -129,9 +129,7 @@ DiscGrid::Highest DiscGrid::highest_at(double x, double y, uint32_t except) cons
       const SeenBall &ball = balls_[k];
       if (fronts > 1 && ball.top() < runner_up) break;
       if (k == except || ball.inside != 0) continue;
-      const double dx = x - ball.x;
-      const double dy = y - ball.y;
-      const double squared = ball.r * ball.r - dx * dx - dy * dy;
+      const double squared = ball.squared_height(x, y);
       if (std::fabs(squared) <= close * ball.r * ball.r && (edges++ == 0 || ball.z > highest_edge)) {
         highest_edge = ball.z;
       }

@@ -24,13 +24,9 @@ class DiscGrid {
   // itself and balls inside others.
   void gather(uint32_t i, FixedVector<uint32_t> &near) const;
 
-  // The ball with the highest front at a point, `except` left out; no_id if there is none. Certain unless the point is
-  // close to the edge of a disc that reaches as high, or the two highest fronts are close to each other.
-  struct Highest {
-    uint32_t body;
-    bool certain;
-  };
-  Highest highest_at(double x, double y, uint32_t except) const;
+  // The ball with the highest front at a point, `except` left out. Certain unless the point is close to the edge of a
+  // disc that reaches as high, or the two highest fronts are close to each other.
+  HighestBody highest_at(double x, double y, uint32_t except) const;
 
  private:
   // A level has discs of up to four times the radius of its smallest ones, but for the last level, which has the rest.

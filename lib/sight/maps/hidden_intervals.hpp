@@ -93,32 +93,10 @@ inline void hide_angles(FixedVector<HiddenInterval> &hidden, double middle, doub
 // Hidden parts that only touch may overlap by that much of the parameter, by rounding.
 inline constexpr double overlap_tolerance = 0x1p-24;
 
-// Calls emit(from, label there, to, label there) for each visible arc that the hidden intervals leave of [from, to].
-// natural: the label of the ends of the curve. Returns false if one interval ends where another one begins, so that
-// rounding decides that nothing is visible between them.
-template <class Emit>
-bool visit_visible(Span<HiddenInterval> hidden, double from, double to, const ArcEnd &natural, Emit emit) {
-  sort_in_place(hidden, [](const HiddenInterval &a, const HiddenInterval &b) { return a.from < b.from; });
-  double begin = from;
-  ArcEnd begins = natural;
-  bool certain = true;
-  for (const HiddenInterval &interval : hidden) {
-    if (interval.from > begin) emit(begin, begins, interval.from, interval.end[0]);
-    if (interval.to > begin) {
-      if (interval.from <= begin && interval.from > begin - overlap_tolerance &&
-          interval.end[0].kind != MapVertexKind::plain) {
-        certain = false;
-      }
-      begin = interval.to;
-      begins = interval.end[1];
-    }
-  }
-  if (begin < to) emit(begin, begins, to, natural);
-  return certain;
-}
-
-// Pushes the visible arcs of a curve. A closed curve begins and ends at the same point: if the first and the last arc
-// both reach that point, they are one arc. Returns false as visit_visible() does.
+// Pushes the visible arcs that the hidden intervals leave of a curve. natural: the label of the ends of the curve. A
+// closed curve begins and ends at the same point: if the first and the last arc both reach that point, they are one
+// arc. Returns false if one interval ends where another one begins, so that rounding decides that nothing is visible
+// between them.
 inline bool push_visible(Span<HiddenInterval> hidden, double from, double to, const ArcEnd &natural, uint32_t body,
                          uint32_t nearer, FixedVector<MapArc> &arcs) {
   const bool closes = natural.kind == MapVertexKind::plain;
@@ -127,24 +105,38 @@ inline bool push_visible(Span<HiddenInterval> hidden, double from, double to, co
   bool waits = false;
   MapArc opening{};
   bool opens = false;
-  const bool certain =
-      visit_visible(hidden, from, to, natural, [&](double begin, const ArcEnd &begins, double end, const ArcEnd &ends) {
-        const MapArc arc{begin, end, body, nearer, {begins, ends}, false};
-        const bool at_first = closes && begins.kind == MapVertexKind::plain;
-        const bool at_last = closes && ends.kind == MapVertexKind::plain;
-        if (at_first && at_last) {
-          arcs.push({from, to, body, nearer, {{}, {}}, true});
-        } else if (at_first) {
-          opening = arc;
-          opens = true;
-          arcs.push(arc);  // takes its slot; is replaced if the last arc is joined to it
-        } else if (at_last) {
-          waiting = arc;
-          waits = true;
-        } else {
-          arcs.push(arc);
-        }
-      });
+  double begin = from;
+  ArcEnd begins = natural;
+  const auto push = [&](double end, const ArcEnd &ends) {
+    const MapArc arc{begin, end, body, nearer, {begins, ends}, false};
+    const bool at_first = closes && begins.kind == MapVertexKind::plain;
+    const bool at_last = closes && ends.kind == MapVertexKind::plain;
+    if (at_first && at_last) {
+      arcs.push({from, to, body, nearer, {{}, {}}, true});
+    } else if (at_first) {
+      opening = arc;
+      opens = true;
+      arcs.push(arc);  // takes its slot; is replaced if the last arc is joined to it
+    } else if (at_last) {
+      waiting = arc;
+      waits = true;
+    } else {
+      arcs.push(arc);
+    }
+  };
+  bool certain = true;
+  sort_in_place(hidden, [](const HiddenInterval &a, const HiddenInterval &b) { return a.from < b.from; });
+  for (const HiddenInterval &interval : hidden) {
+    if (interval.from > begin) push(interval.from, interval.end[0]);
+    if (!(interval.to > begin)) continue;
+    if (interval.from <= begin && interval.from > begin - overlap_tolerance &&
+        interval.end[0].kind != MapVertexKind::plain) {
+      certain = false;
+    }
+    begin = interval.to;
+    begins = interval.end[1];
+  }
+  if (begin < to) push(to, natural);
   if (opens && waits) {
     opening.from = waiting.from - 2 * pi;
     opening.end[0] = waiting.end[0];

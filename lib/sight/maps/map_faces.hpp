@@ -9,21 +9,15 @@
 
 namespace hsp {
 
-// The body seen behind an edge on a contour. `sight` in this file answers sight.highest_at(x, y, except): which body
-// has the highest front at a point, body `except` left out, and whether that is certain.
-struct SightBehind {
-  uint32_t body;
-  bool certain;
-};
-
-// Asks at up to four points of the edge, until the answer is certain.
+// The body seen behind an edge on a contour. Asks at up to four points of the edge, until the answer is certain. `sight`
+// in this file answers sight.highest_at(x, y, except): which body has the highest front at a point, body `except` left
+// out.
 template <class Map, class Sight>
-SightBehind sight_behind(const Map &map, const MapEdge &edge, const Sight &sight) {
-  SightBehind behind{no_id, false};
+HighestBody sight_behind(const Map &map, const MapEdge &edge, const Sight &sight) {
+  HighestBody behind{no_id, false};
   for (const double part : {0.3819660112501051, 0.7639320225002103, 0.1458980337503154, 0.5278640450004206}) {
     const Vec3 at = map.scene.at(edge.body, edge.nearer, edge.from + part * (edge.to - edge.from));
-    const auto highest = sight.highest_at(at.x, at.y, edge.body);
-    behind = {highest.body, highest.certain};
+    behind = sight.highest_at(at.x, at.y, edge.body);
     if (behind.certain) break;
   }
   return behind;
@@ -69,7 +63,7 @@ bool fits_beside_short_edges(const Map &map, const Sight &sight, Patience &patie
       do {
         const MapEdge &beside = map.edges[h / 2];
         if (beside.is_silhouette() && !is_short(beside)) {
-          const SightBehind behind = sight_behind(map, beside, sight);
+          const HighestBody behind = sight_behind(map, beside, sight);
           if (behind.certain && behind.body != map.loops[map.half_edges[h | 1U].loop].owner) return false;
         }
         h = map.half_edges[h ^ 1U].next;
@@ -180,7 +174,7 @@ class MapFaceFinder {
       }
     });
     if (best == no_id) return true;
-    const SightBehind behind = sight_behind(map, map.edges[best / 2], sight);
+    const HighestBody behind = sight_behind(map, map.edges[best / 2], sight);
     if (!behind.certain) return loop.owner != no_id;
     if (loop.owner != no_id && loop.owner != behind.body) return false;
     loop.owner = behind.body;

@@ -14,6 +14,18 @@ struct SeenBall {
   uint32_t inside;  // 1 if it lies inside another ball, so that nothing of it is seen
 
   double top() const { return z + r; }
+  // The square of the height of its sphere over its centre at a point of the view plane; negative beside its disc.
+  double squared_height(double at_x, double at_y) const {
+    const double dx = at_x - x;
+    const double dy = at_y - y;
+    return r * r - dx * dx - dy * dy;
+  }
+};
+
+// The body with the highest front at a point, no_id if there is none; and whether that is certain.
+struct HighestBody {
+  uint32_t body;
+  bool certain;
 };
 
 // Balls that reach into or out of each other by less than this fraction of their radii only touch. The circle in which

@@ -1,5 +1,7 @@
 #include "maps/stick_sweep.hpp"
 
+#include <utility>
+
 #include "core/first_index.hpp"
 #include "core/sorting.hpp"
 
@@ -99,11 +101,7 @@ void StickSweep::compare_parts(uint32_t a, uint32_t b) {
 }
 
 void StickSweep::compare(uint32_t a, uint32_t b) {
-  if (a > b) {
-    const uint32_t other = a;
-    a = b;
-    b = other;
-  }
+  if (a > b) std::swap(a, b);
   if (b < balls_) {
     compare_balls(a, b);
   } else if (a < balls_) {
@@ -179,9 +177,7 @@ BodySight::Front BodySight::front_at(uint32_t body, double x, double y) const {
   if (scene_.is_ball(body)) {
     const SeenBall &ball = scene_.balls[body];
     if (ball.inside != 0) return {false, true, 0.0};
-    const double dx = x - ball.x;
-    const double dy = y - ball.y;
-    const double squared = ball.r * ball.r - dx * dx - dy * dy;
+    const double squared = ball.squared_height(x, y);
     const bool certain = std::fabs(squared) > doubtful * ball.r * ball.r;
     return {squared > 0.0, certain, squared > 0.0 ? ball.z + std::sqrt(squared) : 0.0};
   }
@@ -196,10 +192,10 @@ BodySight::Front BodySight::front_at(uint32_t body, double x, double y) const {
   return {beyond == (part == 1), certain, front.z};
 }
 
-BodySight::Highest BodySight::highest_at(double x, double y, uint32_t except) const {
+HighestBody BodySight::highest_at(double x, double y, uint32_t except) const {
   const double from = x - widest_;
   uint32_t k = first_index(0, items_.size(), [&](uint32_t i) { return items_[i].left >= from; });
-  Highest highest{no_id, true};
+  HighestBody highest{no_id, true};
   double first = 0.0, second = 0.0;
   uint32_t found = 0;
   for (; k < items_.size() && items_[k].left <= x; ++k) {

@@ -93,13 +93,9 @@ class BodySight {
   // items: sorted by their left sides. Balls inside others do not count.
   BodySight(const StickScene &scene, Span<const SweptBox> items);
 
-  // The body with the highest front at a point; no_id if there is none. Left out are `except` and, if that is a part of
-  // a stick, the other part. Certain unless the point is close to a contour, or two fronts are close to each other.
-  struct Highest {
-    uint32_t body;
-    bool certain;
-  };
-  Highest highest_at(double x, double y, uint32_t except) const;
+  // The body with the highest front at a point. Left out are `except` and, if that is a part of a stick, the other part.
+  // Certain unless the point is close to a contour, or two fronts are close to each other.
+  HighestBody highest_at(double x, double y, uint32_t except) const;
 
  private:
   // The height of a body's front at a point, if it has one there.

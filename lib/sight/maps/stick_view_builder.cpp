@@ -10,8 +10,9 @@ namespace {
 
 // Finds how a stick cuts the disc of the ball at its nearer end. At the angle t the junction circle is by
 // radius h sin t - u_z d higher than the ball's centre, d the distance of the circle's plane from that centre. False if
-// the circle is lower everywhere.
+// the circle is lower everywhere, or if the stick is inside its balls.
 bool find_bite(const Stick &stick, StickBite &bite) {
+  if (stick.parts == 0) return false;
   const double d = stick.length - stick.last;
   const double sine = stick.axis.z * d;
   const double most = stick.radius * stick.seen;
@@ -22,10 +23,6 @@ bool find_bite(const Stick &stick, StickBite &bite) {
   // Half the chord is radius cos t, and its distance from the centre d / h.
   bite.half = arc_tangent(cosine, d);
   return true;
-}
-
-bool has_bite(const Stick &stick, StickBite &bite) {
-  return stick.parts > 0 && find_bite(stick, bite);
 }
 
 }  // namespace
@@ -110,7 +107,7 @@ void StickViewBuilder::find_bites() {
   StickBite bite{};
   view_.bites.set_count(sort_to_rows(
       first, balls_, view_.sticks.size(),
-      [&](uint32_t k) { return has_bite(view_.sticks[k], bite) ? view_.sticks[k].ball[1] : balls_; },
+      [&](uint32_t k) { return find_bite(view_.sticks[k], bite) ? view_.sticks[k].ball[1] : balls_; },
       [&](uint32_t at, uint32_t k) {
         bite.stick = k;
         view_.bites.room()[at] = bite;

@@ -25,7 +25,7 @@ TEST(CreaseBesideBall, AsManyPointsOfTheCreaseHaveIt) {
     constexpr int points = 200;
     for (int k = 0; k <= points; ++k) {
       const double t = part.ends.from + (part.ends.to - part.ends.from) * k / points;
-      const bool behind = is_behind(crease.at(t), ball[2]);
+      const bool behind = depth_behind(crease.at(t), ball[2]) > 0.0;
       some_behind = some_behind || behind;
       all_behind = all_behind && behind;
     }

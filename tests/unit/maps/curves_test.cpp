@@ -78,13 +78,13 @@ TEST(Curves, SeenAlongTheirAxisAreLevel) {
 
 TEST(Curves, BehindIsInTheBallOrBelowIt) {
   const SeenBall ball{1, 2, 3, 5, 0, 0};
-  EXPECT_TRUE(hsp::is_behind({1, 2, 3}, ball));
-  EXPECT_TRUE(hsp::is_behind({1, 2, 7.9}, ball));
-  EXPECT_FALSE(hsp::is_behind({1, 2, 8.1}, ball));
-  EXPECT_TRUE(hsp::is_behind({1, 2, -100}, ball));
-  EXPECT_TRUE(hsp::is_behind({5.9, 2, -100}, ball));
-  EXPECT_FALSE(hsp::is_behind({5.9, 2, 6}, ball));
-  EXPECT_FALSE(hsp::is_behind({6.1, 2, -100}, ball));
+  EXPECT_GT(hsp::depth_behind({1, 2, 3}, ball), 0.0);
+  EXPECT_GT(hsp::depth_behind({1, 2, 7.9}, ball), 0.0);
+  EXPECT_LE(hsp::depth_behind({1, 2, 8.1}, ball), 0.0);
+  EXPECT_GT(hsp::depth_behind({1, 2, -100}, ball), 0.0);
+  EXPECT_GT(hsp::depth_behind({5.9, 2, -100}, ball), 0.0);
+  EXPECT_LE(hsp::depth_behind({5.9, 2, 6}, ball), 0.0);
+  EXPECT_LE(hsp::depth_behind({6.1, 2, -100}, ball), 0.0);
   const Vec3 p = hsp::silhouette_point(ball, 0.5);
   EXPECT_NEAR(p.x, 1 + 5 * std::cos(0.5), 1e-12);
   EXPECT_NEAR(p.y, 2 + 5 * std::sin(0.5), 1e-12);
