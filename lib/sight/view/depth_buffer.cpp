@@ -16,35 +16,30 @@ constexpr uint32_t coarse_cells(uint32_t cells) {
   return (cells + coarse_side - 1) / coarse_side;
 }
 
-// The cells first .. last - 1 along one axis that an interval meets.
+// The cells first .. last - 1 along one axis.
 struct CellRange {
   uint32_t first, last;
 
-  CellRange(double low, double high, double origin, double cells_per_length, uint32_t cells) {
-    const double a = (low - origin) * cells_per_length;
-    const double b = (high - origin) * cells_per_length;
-    first = a > 0.0 ? static_cast<uint32_t>(a) : 0;
-    last = b > 0.0 ? static_cast<uint32_t>(b) + 1 : 1;
-    if (last > cells) last = cells;
-  }
-};
-
-// The cells first .. last - 1 along one axis.
-struct SideBySide {
-  uint32_t first, last;
-
-  SideBySide common(const SideBySide &other) const {
+  CellRange common(const CellRange &other) const {
     return {first > other.first ? first : other.first, last < other.last ? last : other.last};
   }
 };
 
-// The cells of a coarse cell along one axis; or the coarse cells of a tile.
-SideBySide parts_of(uint32_t coarse, uint32_t cells) {
-  const uint32_t first = coarse * coarse_side;
-  return SideBySide{first, cells}.common({first, first + coarse_side});
+// The cells that an interval meets.
+CellRange cells_between(double low, double high, double origin, double cells_per_length, uint32_t cells) {
+  const double a = (low - origin) * cells_per_length;
+  const double b = (high - origin) * cells_per_length;
+  const uint32_t last = b > 0.0 ? static_cast<uint32_t>(b) + 1 : 1;
+  return {a > 0.0 ? static_cast<uint32_t>(a) : 0, last > cells ? cells : last};
 }
 
-float lowest_of(Span<float> floor, uint32_t row_length, const SideBySide &columns, const SideBySide &rows) {
+// The cells of a coarse cell along one axis; or the coarse cells of a tile.
+CellRange parts_of(uint32_t coarse, uint32_t cells) {
+  const uint32_t first = coarse * coarse_side;
+  return CellRange{first, cells}.common({first, first + coarse_side});
+}
+
+float lowest_of(Span<float> floor, uint32_t row_length, const CellRange &columns, const CellRange &rows) {
   float lowest = floor[rows.first * row_length + columns.first];
   for (uint32_t row = rows.first; row < rows.last; ++row) {
     for (uint32_t column = columns.first; column < columns.last; ++column) {
@@ -62,8 +57,8 @@ float lowest_of(Span<float> floor, uint32_t row_length, const SideBySide &column
 // square of the radius, or a little more or less.
 template <class Visit>
 bool DepthBuffer::visit_cells(double x, double y, double radius, double squared, CellEdge edge, Visit visit) const {
-  const CellRange columns(x - radius, x + radius, left_, cells_per_length_, columns_);
-  const CellRange rows(y - radius, y + radius, bottom_, cells_per_length_, rows_);
+  const CellRange columns = cells_between(x - radius, x + radius, left_, cells_per_length_, columns_);
+  const CellRange rows = cells_between(y - radius, y + radius, bottom_, cells_per_length_, rows_);
   const auto some = [](uint32_t count) { return count < DiscCells::most ? count : DiscCells::most; };
   DiscCells cells;
   for (uint32_t row = rows.first; row < rows.last; row += cells.rows) {
@@ -143,17 +138,17 @@ void DepthBuffer::look_after_tile(uint32_t tile_column, uint32_t tile_row) {
 bool DepthBuffer::is_above(const BoundingBox &box, double height) {
   const double margin = 16 * margin_;
   const double raised = height + margin;
-  const CellRange columns(box.left - margin, box.right + margin, left_, cells_per_length_, columns_);
-  const CellRange rows(box.bottom - margin, box.top + margin, bottom_, cells_per_length_, rows_);
-  const SideBySide coarse_columns{columns.first / coarse_side, coarse_cells(columns.last)};
-  const SideBySide coarse_rows{rows.first / coarse_side, coarse_cells(rows.last)};
+  const CellRange columns = cells_between(box.left - margin, box.right + margin, left_, cells_per_length_, columns_);
+  const CellRange rows = cells_between(box.bottom - margin, box.top + margin, bottom_, cells_per_length_, rows_);
+  const CellRange coarse_columns{columns.first / coarse_side, coarse_cells(columns.last)};
+  const CellRange coarse_rows{rows.first / coarse_side, coarse_cells(rows.last)};
   const auto is_lower = [raised](float floor) { return static_cast<double>(floor) <= raised; };
   for (uint32_t row = coarse_rows.first / coarse_side; row < coarse_cells(coarse_rows.last); ++row) {
     for (uint32_t column = coarse_columns.first / coarse_side; column < coarse_cells(coarse_columns.last); ++column) {
       const uint32_t tile = row * tile_columns_ + column;
       if (!is_lower(tile_[tile])) continue;
-      const SideBySide own_columns = coarse_columns.common(parts_of(column, coarse_columns_));
-      const SideBySide own_rows = coarse_rows.common(parts_of(row, coarse_rows_));
+      const CellRange own_columns = coarse_columns.common(parts_of(column, coarse_columns_));
+      const CellRange own_rows = coarse_rows.common(parts_of(row, coarse_rows_));
       for (uint32_t y = own_rows.first; y < own_rows.last; ++y) {
         for (uint32_t x = own_columns.first; x < own_columns.last; ++x) {
           const uint32_t coarse = y * coarse_columns_ + x;

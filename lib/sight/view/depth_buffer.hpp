@@ -20,13 +20,6 @@ struct ProjectedBall {
 // A box around the discs of some balls in the view plane.
 struct BoundingBox {
   double left = 0.0, right = 0.0, bottom = 0.0, top = 0.0;
-
-  void widen(const ProjectedBall &disc, bool first) {
-    left = first || disc.x - disc.r < left ? disc.x - disc.r : left;
-    right = first || disc.x + disc.r > right ? disc.x + disc.r : right;
-    bottom = first || disc.y - disc.r < bottom ? disc.y - disc.r : bottom;
-    top = first || disc.y + disc.r > top ? disc.y + disc.r : top;
-  }
 };
 
 class DepthBuffer {

@@ -26,15 +26,6 @@ struct Extent {
   BoundingBox box{infinite, -infinite, infinite, -infinite};
   double lowest_top = infinite, highest_top = -infinite;
 
-  void widen(const ProjectedBall &disc) {
-    box.left = smaller_of(box.left, disc.x - disc.r);
-    box.right = larger_of(box.right, disc.x + disc.r);
-    box.bottom = smaller_of(box.bottom, disc.y - disc.r);
-    box.top = larger_of(box.top, disc.y + disc.r);
-    const double top = disc.z + disc.r;
-    lowest_top = smaller_of(lowest_top, top);
-    highest_top = larger_of(highest_top, top);
-  }
   void widen(const Extent &other) {
     box.left = smaller_of(box.left, other.box.left);
     box.right = larger_of(box.right, other.box.right);
@@ -75,7 +66,8 @@ bool OcclusionCuller::prepare(const CubeGrid &grid, const ViewFrame &frame, Span
     for (uint32_t i = own.first; i < own.last; ++i) {
       if (visible[i] == 0) continue;
       const ProjectedBall disc = placed(balls, frame, i);
-      here.widen(disc);
+      const double top = disc.z + disc.r;
+      here.widen({{disc.x - disc.r, disc.x + disc.r, disc.y - disc.r, disc.y + disc.r}, top, top});
       extent = larger_of(extent, std::fabs(disc.x) + std::fabs(disc.y) + std::fabs(disc.z) + disc.r);
       largest = larger_of(largest, disc.r);
       squares += disc.r * disc.r;

@@ -14,24 +14,6 @@ struct Corner {
   Vec3 offset;  // from the ball's centre, view coordinates
 };
 
-// The corners of the pieces of one ball.
-class CornerFinder {
- public:
-  CornerFinder(const Caps &caps, const ViewFrame &frame)
-      : caps_(caps), frame_(frame), points_(caps.sphere, caps.length_squared) {}
-
-  // Where a half-edge starts.
-  Corner at(const PieceHalfEdge &half_edge) const {
-    const auto point = points_.find(caps_.plane(half_edge.previous_circle), caps_.plane(half_edge.circle));
-    return {point.root_D, frame_.to_view(point.position)};
-  }
-
- private:
-  const Caps &caps_;
-  const ViewFrame &frame_;
-  const CrossingPointFinder points_;
-};
-
 CircleFrame frame_of(const Caps &caps, const ViewFrame &frame, uint32_t cap) {
   return caps.ball[cap] == no_id ? CircleFrame() : CircleFrame(frame, caps.direction(cap));
 }
@@ -65,18 +47,23 @@ void add_loops(const BallSet &balls, const VisiblePiece &piece, View &view) {
   const Caps &caps = piece.caps();
   const Vec3 centre = view.frame.centre_of(balls, caps.origin);
   const Span<const PieceHalfEdge> half_edges = piece.half_edges();
-  const CornerFinder corners(caps, view.frame);
+  const CrossingPointFinder points(caps.sphere, caps.length_squared);
+  // Where a half-edge starts.
+  const auto corner_at = [&](const PieceHalfEdge &half_edge) {
+    const auto point = points.find(caps.plane(half_edge.previous_circle), caps.plane(half_edge.circle));
+    return Corner{point.root_D, view.frame.to_view(point.position)};
+  };
   uint32_t loop = 0;
   for (uint32_t first = 0; first < half_edges.size(); ++first) {
     if (half_edges[first].loop != loop) continue;
     ++loop;
     view.loops.push(static_cast<uint32_t>(view.arcs.required()));
     uint32_t u = first;
-    Corner start = corners.at(half_edges[first]);
+    Corner start = corner_at(half_edges[first]);
     do {
       const PieceHalfEdge &half_edge = half_edges[u];
       const PieceHalfEdge &end_half_edge = half_edges[half_edge.next];
-      const Corner end = corners.at(end_half_edge);
+      const Corner end = corner_at(end_half_edge);
       const CircleFrame circle = frame_of(caps, view.frame, half_edge.circle);
       const double from = parameter(circle, start.offset);
       const double to_view = circle.turn * (parameter(circle, end.offset) - from);

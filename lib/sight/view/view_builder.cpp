@@ -57,7 +57,7 @@ bool ViewBuilder::cut_pieces(const CubeGrid &grid, const Boundary *boundary, Pat
 
 void ViewBuilder::add_piece(const BallSet &balls) {
   if (piece_.caps().contained) return;
-  if (piece_.caps().met > needed_.neighbours) needed_.neighbours = piece_.caps().met;
+  needed_.neighbours = larger_count(needed_.neighbours, piece_.caps().met);
   // Once a ball has more neighbours than there is room for, the rest is only counted.
   if (needed_.neighbours > limits_.neighbours) return;
   if (piece_.half_edges().empty() && piece_.circles().empty()) return;
@@ -89,8 +89,7 @@ Status ViewBuilder::build(const CubeGrid &grid, const Boundary *boundary, const 
   if (!choose_balls(grid, boundary, request.all_balls, patience) || !cut_pieces(grid, boundary, patience))
     return Status::stopped;
   if (needed_.neighbours > limits_.neighbours) return Status::capacity;
-  const uint64_t arcs = structure_.arcs.required();
-  needed_.arcs = arcs < no_id ? static_cast<uint32_t>(arcs) : no_id;
+  needed_.arcs = clamped_count(structure_.arcs.required());
   if (structure_.arcs.overflowed()) return Status::capacity;
   return sort_pieces(balls, patience) ? Status::ok : Status::stopped;
 }

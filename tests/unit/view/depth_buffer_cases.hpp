@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 
 #include "cases.hpp"
 #include "view/depth_buffer.hpp"
@@ -73,8 +74,14 @@ inline double extent_of(const Discs &c) {
   return extent;
 }
 inline hsp::BoundingBox box_around(const Discs &c) {
-  hsp::BoundingBox box;
-  for (uint32_t k = 0; k < c.n; ++k) box.widen(c.disc[k], k == 0);
+  if (c.n == 0) return {};
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  hsp::BoundingBox box{infinite, -infinite, infinite, -infinite};
+  for (uint32_t k = 0; k < c.n; ++k) {
+    const hsp::ProjectedBall &disc = c.disc[k];
+    box = {std::fmin(box.left, disc.x - disc.r), std::fmax(box.right, disc.x + disc.r),
+           std::fmin(box.bottom, disc.y - disc.r), std::fmax(box.top, disc.y + disc.r)};
+  }
   return box;
 }
 
