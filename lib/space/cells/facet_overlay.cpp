@@ -1,5 +1,7 @@
 #include "cells/facet_overlay.hpp"
 
+#include <utility>
+
 #include "core/sorting.hpp"
 
 namespace hsp {
@@ -184,12 +186,8 @@ bool FacetOverlay::cut(uint32_t edge) {
     if (here > 0 && there < 0) add(crossing(edges_[k]), along_line);
     if (here < 0 && there > 0) add(crossing(edges_[k]), edges_[k]);
   }
-  const auto corners = corners_;
-  corners_ = other_corners_;
-  other_corners_ = corners;
-  const auto edges = edges_;
-  edges_ = other_edges_;
-  other_edges_ = edges;
+  std::swap(corners_, other_corners_);
+  std::swap(edges_, other_edges_);
   size_ = count;
   return true;
 }
@@ -299,10 +297,8 @@ void FacetOverlay::add_part(uint32_t below, uint32_t above, uint32_t first, uint
     }
   }
   const Vec3 portal = contacts.has_portals() ? portal_of(first, count) : Vec3{};
-  if (polygon_[0].facet->cell != no_id && polygon_[1].facet->cell != no_id) {
-    if (contacts.required() == first_contact) {
-      contacts.push({{cell[0], cell[1]}}, frame_, portal);
-    }
+  if (have_one_cell_each()) {
+    if (contacts.required() == first_contact) contacts.push({{cell[0], cell[1]}}, frame_, portal);
     return;
   }
   parts_.add(below, above, cell[0], cell[1], portal);

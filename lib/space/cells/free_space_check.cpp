@@ -33,8 +33,7 @@ class FreeSpaceCheck : FirstViolation<FreeSpaceInvariant> {
     for (uint32_t k = 0; k < space_.cube_count(); ++k) {
       const Span<const uint32_t> members = space_.cover.balls(k);
       for (uint32_t m = 0; m < members.size(); ++m) {
-        const uint32_t entry = space_.cover.first_entry(k) + m;
-        const IdRange parts{space_.first_part[entry], space_.first_part[entry + 1]};
+        const IdRange parts = space_.parts_of(space_.cover.first_entry(k) + m);
         if (parts.first > parts.last || parts.last > cells) return fail(FreeSpaceInvariant::records, cells);
         for (const uint32_t c : parts) {
           const FreeCell &cell = space_.cell(c);

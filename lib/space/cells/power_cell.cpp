@@ -56,11 +56,6 @@ void PowerCell::enter(const BallSet &balls, const CubeFrame &frame, Span<const u
   blocks_.enter(numbers(), frame.side());
 }
 
-// Calls the kernel find_dominance().
-uint64_t PowerCell::dominance(uint32_t a, uint32_t first, double error) const {
-  return hsp::find_dominance(target_, numbers(), a, first, frame_.side(), error);
-}
-
 // The power to ball j less that to ball i is, up to a factor, g_j - g_i - (c_j - c_i).y with g = |c|^2 - r^2 and
 // centres relative to that of the cube. Its mean over the cube is its value at y = 0. In the cube it differs from that
 // by at most the side times the sum of |components| of c_j - c_i.
@@ -69,7 +64,8 @@ void PowerCell::drop_dominated() {
   const uint32_t members = members_.size();
   for (uint32_t a = 0; a < members; ++a) {
     for (uint32_t first = a + 1; first < members; first += 64) {
-      for (uint64_t left = dominance(a, first, error); left != 0; left &= left - 1) {
+      uint64_t left = find_dominance(target_, numbers(), a, first, frame_.side(), error);
+      for (; left != 0; left &= left - 1) {
         const uint32_t b = first + static_cast<uint32_t>(std::countr_zero(left));
         bool first_wins = power_[b] > power_[a];
         if (x_[a] == x_[b] && y_[a] == y_[b] && z_[a] == z_[b]) {
@@ -124,11 +120,6 @@ bool PowerCell::order_next_planes() {
   return order.count > 0;
 }
 
-// Calls the kernel find_cut().
-uint32_t PowerCell::find_next_cut(const CutMargins &margins) {
-  return find_cut(target_, polytope_.to_cut(), of_planes_, members_.size(), margins);
-}
-
 // Whether the middle of the polytope is certainly on the near side of all planes that may still cut it: then the cell
 // is not empty. The distance of two centres is below 4 sides.
 bool PowerCell::has_certain_point() const {
@@ -156,7 +147,8 @@ void PowerCell::cut_out(uint32_t k, bool unless_covered) {
     const double error = polytope_.most_error();
     const double reach_error = error + 2 * plane_error;
     // No distance in the cube is larger than 6 sides.
-    const uint32_t p = find_next_cut({error + plane_error, (2 * six_sides + reach_error) * reach_error, covered});
+    const CutMargins margins{error + plane_error, (2 * six_sides + reach_error) * reach_error, covered};
+    const uint32_t p = find_cut(target_, polytope_.to_cut(), of_planes_, members_.size(), margins);
     if (p == none_cuts || (p == wants_more && !order_next_planes())) return;
     if (p == wants_more) continue;
     if (p == is_covered) {
@@ -212,11 +204,6 @@ bool PowerCell::edge_is_free(uint32_t v, uint32_t k) const {
                plane(polytope_[w].plane[from.back(k)]));
 }
 
-SquareSides PowerCell::compare_with_ball(uint32_t first, double limit, double margin) const {
-  const uint32_t left = polytope_.size() - first, count = left < 64 ? left : 64;
-  return compare_squares(target_, polytope_.arrays().squared + first, count, limit, margin);
-}
-
 // Finds the vertices outside the ball. Returns how many.
 uint32_t PowerCell::find_free_vertices(double limit, double error) {
   const uint32_t size = polytope_.size();
@@ -232,7 +219,8 @@ uint32_t PowerCell::find_free_vertices(double limit, double error) {
   uint32_t count = 0;
   // From the last vertices to the first, so that first_free_ ends as the first vertex on each plane.
   for (uint32_t word = (size + 63) / 64; word-- > 0;) {
-    const SquareSides sides = compare_with_ball(64 * word, limit, error);
+    const uint32_t left_over = size - 64 * word, some = left_over < 64 ? left_over : 64;
+    const SquareSides sides = compare_squares(target_, polytope_.arrays().squared + 64 * word, some, limit, error);
     uint64_t outside = sides.above;
     for (uint64_t left = sides.unsure; left != 0; left &= left - 1) {
       if (is_outside(64 * word + static_cast<uint32_t>(std::countr_zero(left)))) outside |= left & (~left + 1);
@@ -269,11 +257,6 @@ uint32_t PowerCell::list_edges() {
   return count;
 }
 
-// Calls the kernel compare_edges().
-EdgeSides PowerCell::compare_with_ball(const EdgeEnds *edges, uint32_t count, double limit, double error) const {
-  return compare_edges(target_, polytope_.arrays(), edges, count, limit, error);
-}
-
 // Calls visit(edge) for each edge that is outside the ball as a whole, and notes it in free_edges_.
 template <class Visit>
 void PowerCell::for_each_free_edge(double limit, double error, Visit visit) {
@@ -281,7 +264,8 @@ void PowerCell::for_each_free_edge(double limit, double error, Visit visit) {
   const uint32_t count = list_edges();
   for (uint32_t first = 0; first < count; first += 64) {
     const EdgeEnds *const edges = edges_.data() + first;
-    const EdgeSides sides = compare_with_ball(edges, count - first < 64 ? count - first : 64, limit, error);
+    const uint32_t some = count - first < 64 ? count - first : 64;
+    const EdgeSides sides = compare_edges(target_, polytope_.arrays(), edges, some, limit, error);
     uint64_t outside = sides.outside;
     for (uint64_t left = sides.unsure; left != 0; left &= left - 1) {
       const uint32_t from = edges[std::countr_zero(left)].from;

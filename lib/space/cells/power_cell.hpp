@@ -73,18 +73,14 @@ class PowerCell {
     in_game_[m] = 0.0;
     if (blocks_.is_there()) blocks_.discard(m);
   }
-  uint64_t dominance(uint32_t a, uint32_t first, double error) const;
   // The member whose plane is number p of of_planes_.
   uint32_t member_of_plane(uint32_t p) const { return blocks_.is_there() ? blocks_.member_at(p) : p; }
   void cut_out(uint32_t k, bool unless_covered);
   void find_member_planes();
   bool order_next_planes();
-  uint32_t find_next_cut(const CutMargins &margins);
   bool has_certain_point() const;
-  SquareSides compare_with_ball(uint32_t first, double limit, double margin) const;
   uint32_t find_free_vertices(double limit, double error);
   uint32_t list_edges();
-  EdgeSides compare_with_ball(const EdgeEnds *edges, uint32_t count, double limit, double error) const;
   template <class Visit>
   void for_each_free_edge(double limit, double error, Visit visit);
   void gather_few(double limit, double error);

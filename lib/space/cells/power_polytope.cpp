@@ -134,7 +134,7 @@ void PowerPolytope::cut(uint32_t plane, const UnitPlane *planes, const CubeFrame
     ends[a] ^= 4 * to + 1;
   }
   for (uint32_t k = 0; k < crossings_behind; ++k) made[count + k] = end;
-  cross(count);
+  cross_edges(target_, to_cut_.at, crossings, made, count, bounds_);
   const double *const errors = to_cut_.at.error;
   double most_error = most_error_;
   for (uint32_t c = 0; c < count; ++c) {
@@ -152,11 +152,6 @@ void PowerPolytope::cut(uint32_t plane, const UnitPlane *planes, const CubeFrame
   // The last vertices are moved into the slots that are left.
   for (uint32_t hole = hole_count_; hole > filled; --hole) move(--count_, holes[hole - 1]);
   clear_squares_behind();
-}
-
-// Calls the kernel cross_edges().
-void PowerPolytope::cross(uint32_t count) const {
-  cross_edges(target_, to_cut_.at, crossings_.data(), made_.data(), count, bounds_);
 }
 
 // Computes new vertices with too large an error from their three planes.

@@ -74,7 +74,6 @@ class PowerPolytope {
  private:
   template <class IsNear>
   uint32_t find_crossings(IsNear is_near);
-  void cross(uint32_t count) const;
   void solve_uncertain(uint32_t count, const UnitPlane *planes, const CubeFrame &frame);
   void clear_squares_behind();
   void move(uint32_t from, uint32_t to);

@@ -18,18 +18,16 @@ int64_t nearest_common(int64_t value, int64_t a_low, int64_t a_high, int64_t b_l
 
 void CellSearch::carve(Workspace &workspace, const FreeSpaceLimits &limits) {
   workspace.take_each(limits.cells, visits_, heap_, boxes_);
-  first_link_ = workspace.take<uint32_t>(static_cast<uint64_t>(limits.cells) + 1);
   links_ = workspace.take<uint32_t>(2 * static_cast<uint64_t>(limits.adjacencies));
 }
 
 bool CellSearch::prepare(const FreeSpace &space, Patience &patience) {
   // A cell has as many contacts as neighbours.
   const uint32_t cells = space.cell_count();
-  for (uint32_t c = 0; c < cells; ++c) first_link_[c] = space.first_neighbour[c + 1];
-  first_link_[cells] = space.first_neighbour[cells];
+  for (uint32_t c = 0; c < cells; ++c) heap_[c] = space.first_neighbour[c + 1];
   for (uint32_t contact = space.adjacency_count(); contact-- > 0;) {
     if (!patience.allows(30)) return false;
-    for (const uint32_t cell : space.contacts[contact].cell) links_[--first_link_[cell]] = contact;
+    for (const uint32_t cell : space.contacts[contact].cell) links_[--heap_[cell]] = contact;
   }
   constexpr int64_t beyond = INT64_C(1) << 52;
   const auto corner = [&](int64_t cube) {
@@ -78,7 +76,7 @@ Status CellSearch::find(const FreeSpace &space, uint32_t from_cell, const exact:
     found = cell == to_cell;
     if (found) break;
     const Visit here = visits_[cell];
-    for (uint32_t k = first_link_[cell]; k < first_link_[cell + 1]; ++k) {
+    for (uint32_t k = space.first_neighbour[cell]; k < space.first_neighbour[cell + 1]; ++k) {
       const uint32_t contact = links_[k];
       const uint32_t *const pair = space.contacts[contact].cell;
       const uint32_t other = pair[0] == cell ? pair[1] : pair[0];

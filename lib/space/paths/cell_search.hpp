@@ -37,11 +37,10 @@ class CellSearch {
   bool comes_first(uint32_t a, uint32_t b) const;
   exact::Vector portal(const FreeSpace &space, uint32_t contact, const exact::Vector &from) const;
 
-  Span<Visit> visits_;         // [cells]
-  Span<uint32_t> heap_;        // [cells]
-  Span<uint32_t> first_link_;  // [cells + 1]
-  Span<uint32_t> links_;       // [2 adjacencies] contacts of each cell
-  Span<Box> boxes_;            // [runs]
+  Span<Visit> visits_;    // [cells]
+  Span<uint32_t> heap_;   // [cells]
+  Span<uint32_t> links_;  // [2 adjacencies] contacts of each cell, in the places of its neighbours
+  Span<Box> boxes_;       // [runs]
 };
 
 }  // namespace hsp

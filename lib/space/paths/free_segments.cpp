@@ -7,31 +7,22 @@ namespace hsp {
 namespace {
 
 using exact::Vector;
-template <int bits>
-using Integer = exact::WideInteger<exact::FastLimb, bits>;
+using Integer = exact::WideInteger<exact::FastLimb, 64>;
 
 Vector centre_of(const BallSet &balls, uint32_t ball) {
   return balls.ball(ball).centre;
 }
 
-Integer<128> exact_product(int64_t a, int64_t b) {
-  return exact::product<128>(Integer<64>::from(a), Integer<64>::from(b));
-}
-
-Integer<128> exact_dot(const Vector &a, const Vector &b) {
-  return exact_product(a.x, b.x) + exact_product(a.y, b.y) + exact_product(a.z, b.z);
+exact::WideInteger<exact::FastLimb, 128> exact_dot(const Vector &a, const Vector &b) {
+  const auto times = [](int64_t p, int64_t q) { return exact::product<128>(Integer::from(p), Integer::from(q)); };
+  return times(a.x, b.x) + times(a.y, b.y) + times(a.z, b.z);
 }
 
 bool is_outside_exactly(const exact::LatticeBall &ball, const Vector &a, const Vector &b) {
   const Vector d = b - a, p = ball.centre - a;
-  const auto along = exact_dot(d, p), length = exact_dot(d, d);
-  const auto squared_radius = exact_product(ball.radius, ball.radius);
-  if (along.sign() <= 0) return (exact_dot(p, p) - squared_radius).sign() > 0;
-  if ((along - length).sign() >= 0) {
-    const Vector q = ball.centre - b;
-    return (exact_dot(q, q) - squared_radius).sign() > 0;
-  }
-  const auto excess = exact_dot(p, p) - squared_radius;
+  const auto along = exact_dot(d, p), length = exact::squared_length(d), excess = exact::power(p, ball.radius);
+  if (along.sign() <= 0) return excess.sign() > 0;
+  if ((along - length).sign() >= 0) return exact::power(ball.centre - b, ball.radius).sign() > 0;
   return (exact::product<256>(excess, length) - exact::product<256>(along, along)).sign() > 0;
 }
 
