@@ -16,8 +16,7 @@ void put_scaled(ByteSink &sink, int64_t n, int decimals) {
   if (n < 0) sink.put('-');
   uint64_t rest = n < 0 ? 0 - static_cast<uint64_t>(n) : static_cast<uint64_t>(n);
   for (; decimals > 0 && rest % 10 == 0; --decimals) rest /= 10;
-  uint64_t unit = 1;
-  for (int k = 0; k < decimals; ++k) unit *= 10;
+  const auto unit = static_cast<uint64_t>(power_of_ten[decimals]);
   const uint64_t whole = rest / unit;
   if (whole > 0 || decimals == 0) put_integer(sink, whole);
   if (decimals == 0) return;

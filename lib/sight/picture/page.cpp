@@ -1,6 +1,7 @@
 #include "picture/page.hpp"
 
 #include "core/elementary.hpp"
+#include "core/extremes.hpp"
 #include "picture/depth_shares.hpp"
 
 namespace hsp {
@@ -16,10 +17,6 @@ constexpr double thinnest_line = 5e-5;
 
 double clamped(double value, double low, double high) {
   return value < low ? low : value > high ? high : value;
-}
-
-double lesser(double a, double b) {
-  return a < b ? a : b;
 }
 
 // A side as the options give it; 0 stays 0.
@@ -108,7 +105,7 @@ Page lay_out(const PictureInput &input, const PictureOptions &options) {
   const bool empty = input.paths.size() == 0;
   const bool fixed = options.scale > 0.0;
   const double size[2] = {box.high[0] - box.low[0], box.high[1] - box.low[1]};
-  const double margin = options.margin * (size[0] > size[1] ? size[0] : size[1]);
+  const double margin = options.margin * larger_of(size[0], size[1]);
   const double framed[2] = {size[0] + 2 * margin, size[1] + 2 * margin};
   Sides sides{given_side(options.width), given_side(options.height)};
   if (empty || fixed) {
@@ -133,15 +130,15 @@ Page lay_out(const PictureInput &input, const PictureOptions &options) {
     page.middle[0] = centre.x;
     page.middle[1] = centre.y;
   } else {
-    if (!empty) page.scale = lesser(page.width / framed[0], page.height / framed[1]);
+    if (!empty) page.scale = smaller_of(page.width / framed[0], page.height / framed[1]);
     choose_widths(input, options, page);
     if (!empty) {
       // However narrow the margin is, there is room for the outer half of lines along the outermost silhouettes, and
       // for the outer share of contours.
       const double half = page.line / 2, outside = outer_share_of_ink * page.ink[0];
-      const double room = lesser(half > outside ? half : outside, lesser(page.width, page.height) / 4);
+      const double room = smaller_of(larger_of(half, outside), smaller_of(page.width, page.height) / 4);
       if (margin * page.scale < room) {
-        page.scale = lesser((page.width - 2 * room) / size[0], (page.height - 2 * room) / size[1]);
+        page.scale = smaller_of((page.width - 2 * room) / size[0], (page.height - 2 * room) / size[1]);
       }
     }
     for (int k = 0; k < 2; ++k) page.middle[k] = box.low[k] + size[k] / 2;
@@ -160,7 +157,7 @@ Page lay_out(const PictureInput &input, const PictureOptions &options) {
   page.narrowest_ellipse = clamped(page.line / 8, flattest_ellipse, flattest_with_lines);
   page.nearest = box.depth_high;
   page.farthest = end_of_fog(page.nearest, box.depth_low, page.mean_radius);
-  page.decimals = decimals_for((page.width > page.height ? page.width : page.height) / 1e4, 2, 6);
+  page.decimals = decimals_for(larger_of(page.width, page.height) / 1e4, 2, 6);
   return page;
 }
 

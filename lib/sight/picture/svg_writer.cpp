@@ -41,7 +41,7 @@ class SvgWriter : private PageWalker<SvgWriter> {
     put_colour(sink_, colour);
     sink_.put('"');
   }
-  void put_element(const char *name, const char *text) {
+  void put_element(const char *name, const char *text, const char *behind) {
     if (is_blank(text)) return;
     sink_.put('<');
     sink_.put(name);
@@ -49,7 +49,8 @@ class SvgWriter : private PageWalker<SvgWriter> {
     put_xml_text(sink_, text);
     sink_.put("</");
     sink_.put(name);
-    sink_.put(">\n");
+    sink_.put('>');
+    sink_.put(behind);
   }
   void put_length(const char *name, double length) {
     sink_.put(name);
@@ -68,8 +69,8 @@ class SvgWriter : private PageWalker<SvgWriter> {
     sink_.put(' ');
     put_decimal(sink_, page_.height, 6);
     sink_.put("\" role=\"img\">\n");
-    put_element("title", input_.title);
-    put_element("desc", input_.description);
+    put_element("title", input_.title, "\n");
+    put_element("desc", input_.description, "\n");
     if (!options_.backdrop) return;
     put_attribute("<rect width", page_.width, 6);
     put_attribute(" height", page_.height, 6);
@@ -205,13 +206,7 @@ class SvgWriter : private PageWalker<SvgWriter> {
     sink_.put('"');
   }
   // Text that browsers show beside the pointer.
-  void put_title(uint32_t path) {
-    const char *title = input_.title_of(input_.paths.ball_of(path));
-    if (is_blank(title)) return;
-    sink_.put("<title>");
-    put_xml_text(sink_, title);
-    sink_.put("</title>");
-  }
+  void put_title(uint32_t path) { put_element("title", input_.title_of(input_.paths.ball_of(path)), ""); }
   // Puts the stroke of a path, unless a group has set it.
   void put_own_stroke(uint32_t level) {
     const bool groups_say_it = paint_.flat() && !ink_.is_drawn();
