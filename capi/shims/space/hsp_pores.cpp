@@ -57,43 +57,41 @@ struct TiedImages {
   }
 };
 
-// Writes the nearest balls of a maximum or gate ascending; in the records they are in the order of positions.
+// Writes the nearest balls of a maximum or gate in the order of less(); in the records they are in the order of
+// positions. list_of(handle, point): these balls.
+template <class T, class Records, class ListOf, class Less>
+int32_t get_sorted(const hsp_pores *pores, uint32_t record, T *out, uint32_t capacity, uint32_t *needed,
+                   Records records, ListOf list_of, Less less) {
+  uint32_t count = 0;
+  const int32_t status = get_list(
+      pores, record, out, capacity, needed, [&](const hsp_pores &handle) { return records(handle).size(); },
+      [&](const hsp_pores &handle) {
+        const auto list = list_of(handle, records(handle)[record].point);
+        count = list.size();
+        return list;
+      },
+      as_it_is);
+  if (status == HSP_OK) hsp::sort_in_place(hsp::Span<T>(out, count), less);
+  return status;
+}
 template <class Records>
 int32_t get_tied(const hsp_pores *pores, uint32_t record, uint32_t *balls, uint32_t capacity, uint32_t *needed,
                  Records records) {
-  uint32_t count = 0;
-  const int32_t status = get_list(
-      pores, record, balls, capacity, needed, [&](const hsp_pores &handle) { return records(handle).size(); },
-      [&](const hsp_pores &handle) {
-        const hsp::Span<const uint32_t> tied = handle.builder.pores().tied(records(handle)[record].point);
-        count = tied.size();
-        return tied;
-      },
-      as_it_is);
-  if (status == HSP_OK) {
-    hsp::sort_in_place(hsp::Span<uint32_t>(balls, count), [](uint32_t a, uint32_t b) { return a < b; });
-  }
-  return status;
+  return get_sorted(
+      pores, record, balls, capacity, needed, records,
+      [](const hsp_pores &handle, const hsp::CriticalPoint &point) { return handle.builder.pores().tied(point); },
+      [](uint32_t a, uint32_t b) { return a < b; });
 }
-
-// Writes the same balls as images.
+// The same balls as images.
 template <class Records>
 int32_t get_images(const hsp_pores *pores, uint32_t record, hsp_image *images, uint32_t capacity, uint32_t *needed,
                    Records records) {
-  uint32_t count = 0;
-  const int32_t status = get_list(
-      pores, record, images, capacity, needed, [&](const hsp_pores &handle) { return records(handle).size(); },
-      [&](const hsp_pores &handle) {
-        const hsp::CriticalPoint &point = records(handle)[record].point;
-        count = handle.builder.pores().tied(point).size();
+  return get_sorted(
+      pores, record, images, capacity, needed, records,
+      [](const hsp_pores &handle, const hsp::CriticalPoint &point) {
         return TiedImages{handle, point};
       },
-      [](const hsp_image &image) { return image; });
-  if (status == HSP_OK) {
-    hsp::sort_in_place(hsp::Span<hsp_image>(images, count),
-                       [](const hsp_image &p, const hsp_image &q) { return image_comes_before(p, q); });
-  }
-  return status;
+      [](const hsp_image &p, const hsp_image &q) { return image_comes_before(p, q); });
 }
 
 // Computes pores from a model or a box; build(options, patience) notes the source.

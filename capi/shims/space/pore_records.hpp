@@ -63,7 +63,7 @@ int32_t get_list(const hsp_pores *pores, uint32_t record, T *out, uint32_t capac
   return HSP_OK;
 }
 
-inline constexpr auto as_it_is = [](uint32_t number) { return number; };
+inline constexpr auto as_it_is = [](const auto &item) { return item; };
 
 // The directions in which a class goes on for ever, in the given vectors of the box.
 inline hsp_winding winding_of(const hsp_pores &pores, const WindingLattice &lattice) {

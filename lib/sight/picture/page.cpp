@@ -68,16 +68,6 @@ void choose_widths(const PictureInput &input, const PictureOptions &options, Pag
   }
 }
 
-// The two sides of a page. A side of 0 follows from the other one.
-struct Sides {
-  double width, height;
-
-  void complete(double ratio_of_width, double ratio_of_height) {
-    if (height == 0.0) height = clamped(width * ratio_of_height, shortest_side, longest_side);
-    if (width == 0.0) width = clamped(height * ratio_of_width, shortest_side, longest_side);
-  }
-};
-
 }  // namespace
 
 PagePoint PageArc::at(double t) const {
@@ -107,17 +97,16 @@ Page lay_out(const PictureInput &input, const PictureOptions &options) {
   const double size[2] = {box.high[0] - box.low[0], box.high[1] - box.low[1]};
   const double margin = options.margin * larger_of(size[0], size[1]);
   const double framed[2] = {size[0] + 2 * margin, size[1] + 2 * margin};
-  Sides sides{given_side(options.width), given_side(options.height)};
-  if (empty || fixed) {
-    sides.complete(1.0, 1.0);
-  } else {
-    sides.complete(framed[0] / framed[1], framed[1] / framed[0]);
-  }
+  // A side of 0 follows from the other one.
+  const bool square = empty || fixed;
+  double width = given_side(options.width), height = given_side(options.height);
+  if (height == 0.0) height = clamped(square ? width : width * (framed[1] / framed[0]), shortest_side, longest_side);
+  if (width == 0.0) width = clamped(square ? height : height * (framed[0] / framed[1]), shortest_side, longest_side);
 
   Page page;
   page.unit = options.millimetres ? px_per_millimetre : 1.0;
-  page.width = sides.width * page.unit;
-  page.height = sides.height * page.unit;
+  page.width = width * page.unit;
+  page.height = height * page.unit;
   page.scale = 0.0;
   if (fixed) {
     const exact::Lattice &lattice = input.balls.lattice;

@@ -101,13 +101,6 @@ bool are_congruent(const BallSet &balls, const uint32_t *a, const uint32_t *b, u
   }
 }
 
-// Sorts records by level; in linear time if there is scratch memory and levels are spread.
-template <class Record, class Higher>
-void sort_by_level(Span<Record> records, Span<uint32_t> scratch, Higher higher) {
-  sort_by_number(
-      records, scratch, [](const Record &record) { return -record.point.level; }, higher);
-}
-
 }  // namespace
 
 // +1 if a is higher, -1 if b is, 0 for the same level; in doubles if they are certain, else by integers.
@@ -148,8 +141,10 @@ void PoresBuilder::sort_points(Patience &patience) {
   const auto higher = [&](const auto &a, const auto &b) { return patience.allows(200) && is_higher(a.point, b.point); };
   compared_.reset(balls_);
   for (uint32_t k = 0; k < maximum_count_; ++k) maxima_[k].gate = k;
-  sort_by_level(critical_.maxima().items(), critical_.scratch(), higher);
-  sort_by_level(critical_.gates().items(), critical_.scratch(), higher);
+  // In linear time if there is scratch memory and levels are spread.
+  const auto by_level = [](const auto &record) { return -record.point.level; };
+  sort_by_number(critical_.maxima().items(), critical_.scratch(), by_level, higher);
+  sort_by_number(critical_.gates().items(), critical_.scratch(), by_level, higher);
   for (uint32_t k = 0; k < maximum_count_; ++k) maxima_[maxima_[k].gate].into = k;
   for (uint32_t k = 0; k < gate_count_; ++k) {
     for (uint32_t &end : gates_[k].end) end = end == pore_outside ? end : maxima_[end].into;

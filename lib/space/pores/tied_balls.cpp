@@ -7,12 +7,12 @@
 namespace hsp {
 namespace {
 
-// Which signs some numbers have.
+// Which signs some numbers have, those of numbers that are no larger than a margin left out.
 struct Signs {
   bool positive = false, negative = false;
-  void add(int sign) {
-    positive = positive || sign > 0;
-    negative = negative || sign < 0;
+  void add(double number, double margin = 0.0) {
+    positive = positive || number > margin;
+    negative = negative || number < -margin;
   }
   bool any() const { return positive || negative; }
   bool both() const { return positive && negative; }
@@ -76,19 +76,15 @@ HullSide nearest_side(Span<const Vec3> a, const uint32_t *chosen, uint32_t size)
         if (length < 1e-6) continue;
         // A plane is a side if all vectors are on one side of it, or nearly: a plane too many only makes the bound
         // less.
-        bool above = false, below = false;
-        for (uint32_t l = 0; l < size && !(above && below); ++l) {
-          const double height = dot(n, a[chosen[l]] - p);
-          above = above || height > 1e-9 * length;
-          below = below || height < -1e-9 * length;
-        }
-        if (above && below) continue;
+        Signs heights;
+        for (uint32_t l = 0; l < size && !heights.both(); ++l) heights.add(dot(n, a[chosen[l]] - p), 1e-9 * length);
+        if (heights.both()) continue;
         const double offset = dot(n, p) / length;
         // If all vectors are in one plane, the hull has no inside.
-        const double inside = above ? -offset : below ? offset : -std::fabs(offset);
+        const double inside = heights.positive ? -offset : heights.negative ? offset : -std::fabs(offset);
         if (inside < nearest.inside) {
           nearest.inside = inside;
-          nearest.outward = above ? -n : n;
+          nearest.outward = heights.positive ? -n : n;
         }
         nearest.any = true;
       }
@@ -327,12 +323,10 @@ bool TiedDirections::is_closed(uint32_t i, uint32_t j, uint32_t k, int side) con
   const Vec3 n = cross(a_[j] - a_[i], a_[k] - a_[i]);
   const double offset = dot(n, a_[i]);
   const bool beyond = side > 0 || offset > clear_of_rounding, before = side < 0 || offset < -clear_of_rounding;
-  bool above = false, below = false;
+  Signs heights;
   for (uint32_t l = 0; l < count_; ++l) {
-    const double height = dot(n, a_[l]) - offset;
-    above = above || height > clear_of_rounding;
-    below = below || height < -clear_of_rounding;
-    if ((above && (below || before)) || (below && beyond)) return true;
+    heights.add(dot(n, a_[l]) - offset, clear_of_rounding);
+    if (heights.both() || (heights.positive && before) || (heights.negative && beyond)) return true;
   }
   return false;
 }
@@ -425,26 +419,22 @@ bool TiedDirections::are_apart(uint32_t i, uint32_t j) const {
 bool TiedDirections::are_on_both_sides(uint32_t i, uint32_t j) const {
   if (count_ == 0) return false;
   const Vec3 n = cross(a_[i], a_[j]);
-  bool above = false, below = false;
-  for (uint32_t l = 0; l < count_ && !(above && below); ++l) {
-    const double height = dot(n, a_[l]);
-    above = above || height > clear_of_rounding;
-    below = below || height < -clear_of_rounding;
-  }
-  return above && below;
+  Signs heights;
+  for (uint32_t l = 0; l < count_ && !heights.both(); ++l) heights.add(dot(n, a_[l]), clear_of_rounding);
+  return heights.both();
 }
 
 int TiedDirections::surround(uint32_t i, uint32_t j, uint32_t k, uint32_t l) const {
   if (count_ == 0) return 0;
   const Vec3 u = cross(a_[i], a_[j]), v = cross(a_[k], a_[l]);
   const double part[4] = {dot(a_[j], v), -dot(a_[i], v), dot(u, a_[l]), -dot(u, a_[k])};
-  bool positive = false, negative = false, certain = true;
+  Signs signs;
+  bool certain = true;
   for (const double each : part) {
-    positive = positive || each > clear_of_rounding;
-    negative = negative || each < -clear_of_rounding;
+    signs.add(each, clear_of_rounding);
     certain = certain && std::fabs(each) > clear_of_rounding;
   }
-  return positive && negative ? -1 : certain ? 1 : 0;
+  return signs.both() ? -1 : certain ? 1 : 0;
 }
 
 PointKind kind_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, Span<Vec3> room) {
