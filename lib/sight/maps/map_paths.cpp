@@ -14,9 +14,9 @@ class SilhouetteWalk {
   SilhouetteWalk(const Map &map, const SilhouetteVisitor &visitor) : map_(map), visitor_(visitor) {}
 
   // Walks around a loop of a body. On the other side of its silhouette is another body or the background.
-  void walk(uint32_t first) {
+  void walk(uint32_t loop) {
     visit_runs(
-        first, [this](uint32_t h) { return map_.half_edges[h].next; }, [this](uint32_t h) { return is_silhouette(h); },
+        map_, loop, [this](uint32_t h) { return is_silhouette(h); },
         [this](uint32_t before, uint32_t h, uint32_t after, bool begins, bool) { take(before, h, after, begins); });
   }
 
@@ -62,7 +62,7 @@ void visit_silhouettes(const void *source, uint32_t body, const SilhouetteVisito
   const Map &map = *static_cast<const Map *>(source);
   SilhouetteWalk<Map> walk(map, visitor);
   for (uint32_t f = map.first_face[body]; f != no_id; f = map.next_face_of(f)) {
-    map.visit_loops(f, [&](uint32_t l) { walk.walk(map.loops[l].first_half_edge); });
+    map.visit_loops(f, [&](uint32_t l) { walk.walk(l); });
   }
 }
 

@@ -11,22 +11,13 @@
 
 namespace hsp {
 
-// Calls visit(half-edge, first, closes) around a loop. next(h): the half-edge that follows.
-template <class Next, class Visit>
-void visit_loop(uint32_t first, Next next, Visit visit) {
-  uint32_t h = first;
-  do {
-    const uint32_t following = next(h);
-    visit(h, h == first, following == first);
-    h = following;
-  } while (h != first);
-}
-
 // Calls visit(half-edge before, half-edge, half-edge after, begins, closes) for the half-edges of a loop that are
 // members. Consecutive members make up a run. begins: it is the first of a run; closes: the run is the whole loop, and
 // this is its last one. The walk starts behind a half-edge that is no member, if there is one: so no run is cut in two.
-template <class Next, class IsMember, class Visit>
-void visit_runs(uint32_t first, Next next, IsMember is_member, Visit visit) {
+template <class IsMember, class Visit>
+void visit_runs(const MapRecords &map, uint32_t loop, IsMember is_member, Visit visit) {
+  const auto next = [&map](uint32_t half_edge) { return map.half_edges[half_edge].next; };
+  const uint32_t first = map.loops[loop].first_half_edge;
   uint32_t h = first;
   while (is_member(h) && next(h) != first) h = next(h);
   const bool whole = is_member(h);
@@ -41,15 +32,6 @@ void visit_runs(uint32_t first, Next next, IsMember is_member, Visit visit) {
     before = h;
     h = following;
   } while (h != start);
-}
-
-// Calls visit(half-edge, begins, closes) for the runs of half-edges that run along their edges: so each edge of the map
-// is visited from one of its sides.
-template <class Next, class Visit>
-void visit_own_runs(uint32_t first, Next next, Visit visit) {
-  visit_runs(
-      first, next, [](uint32_t half_edge) { return half_edge % 2 == 0; },
-      [&](uint32_t, uint32_t h, uint32_t, bool begins, bool closes) { visit(h, begins, closes); });
 }
 
 // A half-edge as an arc of the view plane, from vertex to vertex. The parameter of a curve that is no silhouette counts
@@ -83,13 +65,10 @@ ProjectedArc arc_of(const Map &map, uint32_t half_edge) {
 }
 
 // The functions of PaintedPaths for a source of paths. A source has map(), owner_of(path), and visit_path(path, visit),
-// which calls visit(first half-edge) for each loop.
+// which calls visit(loop) for each loop.
 template <class Source>
 struct MapPathFunctions {
   static const Source &source_at(const void *source) { return *static_cast<const Source *>(source); }
-  static auto successor(const void *source) {
-    return [&map = source_at(source).map()](uint32_t h) { return map.half_edges[h].next; };
-  }
 
   static uint32_t ball_of(const void *source, uint32_t path) {
     return source_at(source).map().scene.ball_of(source_at(source).owner_of(path));
@@ -98,19 +77,20 @@ struct MapPathFunctions {
     return source_at(source).map().scene.slot_of(source_at(source).owner_of(path));
   }
   static void visit_outline(const void *source, const BallSet &, uint32_t path, const ArcVisitor &visitor) {
-    source_at(source).visit_path(path, [&](uint32_t first) {
-      visit_loop(first, successor(source), [&](uint32_t h, bool begins, bool closes) {
-        visitor(arc_of(source_at(source).map(), h), begins, closes);
-      });
+    const auto &map = source_at(source).map();
+    source_at(source).visit_path(path, [&](uint32_t loop) {
+      const uint32_t first = map.loops[loop].first_half_edge;
+      map.visit_loop(loop, [&](uint32_t h) { visitor(arc_of(map, h), h == first, map.half_edges[h].next == first); });
     });
   }
   // The lines of a path are the edges that are the body's own: its contour, and the creases whose nearer body it is. So
-  // each edge of the map belongs to one path. Consecutive ones make up a run.
+  // each edge of the map belongs to one path, that of the half-edge along it. Consecutive ones make up a run.
   static void visit_lines(const void *source, const BallSet &, uint32_t path, const ArcVisitor &visitor) {
-    source_at(source).visit_path(path, [&](uint32_t first) {
-      visit_own_runs(first, successor(source), [&](uint32_t h, bool begins, bool closes) {
-        visitor(arc_of(source_at(source).map(), h), begins, closes);
-      });
+    const auto &map = source_at(source).map();
+    source_at(source).visit_path(path, [&](uint32_t loop) {
+      visit_runs(
+          map, loop, [](uint32_t half_edge) { return half_edge % 2 == 0; },
+          [&](uint32_t, uint32_t h, uint32_t, bool begins, bool closes) { visitor(arc_of(map, h), begins, closes); });
     });
   }
 
@@ -145,9 +125,7 @@ class MapPaths {
   uint32_t owner_of(uint32_t path) const { return map_.faces[first_face_[path]].owner; }
   template <class Visit>
   void visit_path(uint32_t path, Visit visit) const {
-    for (uint32_t f = first_face_[path]; f != no_id; f = map_.next_face_of(f)) {
-      map_.visit_loops(f, [&](uint32_t loop) { visit(map_.loops[loop].first_half_edge); });
-    }
+    for (uint32_t f = first_face_[path]; f != no_id; f = map_.next_face_of(f)) map_.visit_loops(f, visit);
   }
   static constexpr bool (*is_plain)(const void *, uint32_t) = nullptr;
 

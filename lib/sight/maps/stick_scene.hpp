@@ -179,7 +179,7 @@ struct StickMap : SceneMap<StickScene> {
   void visit_path(uint32_t path, Visit visit) const {
     const uint32_t owner = owner_of(path);
     for (uint32_t k = first_loop[path]; k < loops.size() && loops[loop_order[k]].owner == owner; ++k) {
-      visit(loops[loop_order[k]].first_half_edge);
+      visit(loop_order[k]);
     }
   }
   static bool is_plain(const void *source, uint32_t path) {

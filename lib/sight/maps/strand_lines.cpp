@@ -74,8 +74,8 @@ void visit_crossings(const StickMap &map, const StrandSide &side, uint32_t half_
 // Finds the first crossing behind another one; false if there is none.
 bool find_next(const StickMap &map, uint32_t path, const StrandSide &side, const Crossing &before, Crossing &next) {
   bool found = false;
-  map.visit_path(path, [&](uint32_t first) {
-    map.visit_loop(map.half_edges[first].loop, [&](uint32_t half_edge) {
+  map.visit_path(path, [&](uint32_t loop) {
+    map.visit_loop(loop, [&](uint32_t half_edge) {
       visit_crossings(map, side, half_edge, [&](const Crossing &crossing) {
         if (!(before < crossing) || (found && !(crossing < next))) return;
         next = crossing;

@@ -1,5 +1,7 @@
 #include "cells/cube_contacts.hpp"
 
+#include "core/sorting.hpp"
+
 namespace hsp {
 
 void CubeContacts::carve(Workspace &workspace, uint32_t balls, uint32_t corners) {
@@ -14,9 +16,8 @@ void CubeContacts::clear(uint32_t balls) {
 }
 
 CubeContacts::Corner CubeContacts::sorted(uint32_t a, uint32_t b, uint32_t c, uint32_t cell) {
-  const uint32_t least = a < b ? (a < c ? a : c) : (b < c ? b : c);
-  const uint32_t most = a > b ? (a > c ? a : c) : (b > c ? b : c);
-  return {{least, a ^ b ^ c ^ least ^ most, most}, cell};
+  sort_three(a, b, c);
+  return {{a, b, c}, cell};
 }
 
 uint32_t CubeContacts::cell_at(const Member &member, const Corner &corner) const {

@@ -514,7 +514,7 @@ bool is_in_tetrahedron(const BallSet &balls, const TangentPoint &point, const ui
   return true;
 }
 
-void name_of_gate(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, uint32_t *name) {
+static void name_of_gate(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, uint32_t *name) {
   const uint32_t n = tied.size();
   bool on_side = false;
   name[3] = no_id;
@@ -533,8 +533,9 @@ void name_of_gate(const BallSet &balls, const TangentPoint &point, Span<const ui
   }
 }
 
-void name_of_maximum(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, Span<Vec3> room,
-                     uint32_t *name) {
+void name_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, PointKind kind,
+             Span<Vec3> room, uint32_t *name) {
+  if (kind == PointKind::gate) return name_of_gate(balls, point, tied, name);
   const uint32_t n = tied.size();
   TiedDirections directions(balls, point, tied, room);
   bool on_side = false;

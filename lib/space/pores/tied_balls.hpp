@@ -101,16 +101,7 @@ bool is_in_tetrahedron(const BallSet &balls, const TangentPoint &point, const ui
 // The name of a gate: the first three of its tied balls whose triangle has the point in it. The name of a maximum: the
 // first four whose tetrahedron has it. No other gate or maximum has that name, since a set of balls has one point with
 // W' < 0 (tangent_point.hpp). tied: in ascending order of positions.
-void name_of_gate(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, uint32_t *name);
-void name_of_maximum(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, Span<Vec3> room,
-                     uint32_t *name);
-inline void name_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, PointKind kind,
-                    Span<Vec3> room, uint32_t *name) {
-  if (kind == PointKind::gate) {
-    name_of_gate(balls, point, tied, name);
-  } else {
-    name_of_maximum(balls, point, tied, room, name);
-  }
-}
+void name_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, PointKind kind,
+             Span<Vec3> room, uint32_t *name);
 
 }  // namespace hsp
