@@ -335,32 +335,28 @@ void FacetOverlay::overlay(uint32_t below, uint32_t above, CellContacts &contact
 }
 
 // Lists the facets of a cube on a side that are not covered. Returns how many.
-uint32_t FacetOverlay::list(Span<Listed> out, const Side &side, uint32_t number) {
-  Listed *const listed = out.data();
+uint32_t FacetOverlay::list(Span<uint32_t> out, const Side &side, uint32_t number) {
+  uint32_t *const listed = out.data();
   uint32_t count = 0;
   for (const uint32_t k : side.range) {
-    listed[count].facet = k;  // written in any case, counted if it is on that side
+    listed[count] = k;  // written in any case, counted if it is on that side
     count += side.facets.facet(k).side == number ? 1 : 0;
-  }
-  for (uint32_t k = 0; k < count; ++k) {
-    const SideFacet &facet = side.facets.facet(listed[k].facet);
-    listed[k] = {listed[k].facet, facet.ball, facet.meets_both, facet.low_u, facet.high_u, facet.low_w, facet.high_w};
   }
   return count;
 }
 
 // Lists the facets below whose boxes meet that of a facet above, without those of another ball if both balls meet both
 // cubes. Which these are cannot be predicted, so that no branch depends on it. Returns how many.
-uint32_t FacetOverlay::list_near(const Listed &over, uint32_t lower_count) {
-  const Listed *const lowers = below_.data();
+uint32_t FacetOverlay::list_near(const SideFacets &facets, uint32_t lower_count, const SideFacet &over) {
+  const uint32_t *const lowers = below_.data();
   uint32_t *const near = near_.data();
   uint32_t count = 0;
   for (uint32_t b = 0; b < lower_count; ++b) {
-    const Listed &under = lowers[b];
+    const SideFacet &under = facets.facet(lowers[b]);
     const uint32_t overlaps = (under.high_u >= over.low_u ? 1U : 0U) & (over.high_u >= under.low_u ? 1U : 0U) &
                               (under.high_w >= over.low_w ? 1U : 0U) & (over.high_w >= under.low_w ? 1U : 0U);
     const uint32_t may_touch = (over.ball == under.ball ? 1U : 0U) | (1U ^ (over.meets_both & under.meets_both));
-    near[count] = b;
+    near[count] = lowers[b];
     count += overlaps & may_touch;
   }
   return count;
@@ -375,20 +371,19 @@ Status FacetOverlay::find(const BallSet &balls, const CubeFrame &frame, uint32_t
   parts_.clear();
   const uint32_t lower_count = list(below_, below, 2 * axis + 1);
   const uint32_t upper_count = list(above_, above, 2 * axis);
-  const Listed *const lowers = below_.data();
-  for (uint32_t a = 0; a < upper_count; ++a) {
-    const Listed over = above_[a];
-    polygon_[1] = {&above.facets, &above.facets.facet(over.facet)};
+  for (const uint32_t a : above_.part(0, upper_count)) {
+    const SideFacet &over = above.facets.facet(a);
+    polygon_[1] = {&above.facets, &over};
     bool has_planes = false;
-    const uint32_t near_count = list_near(over, lower_count);
-    for (uint32_t n = 0; n < near_count; ++n) {
-      const Listed &under = lowers[near_[n]];
-      polygon_[0] = {&below.facets, &below.facets.facet(under.facet)};
-      const AdjacentCells cells{{polygon_[0].facet->cell, polygon_[1].facet->cell}};
+    const uint32_t near_count = list_near(below.facets, lower_count, over);
+    for (const uint32_t b : near_.part(0, near_count)) {
+      const SideFacet &under = below.facets.facet(b);
+      polygon_[0] = {&below.facets, &under};
+      const AdjacentCells cells{{under.cell, over.cell}};
       // A portal is chosen among all corners of the piece.
       const bool one_contact = have_one_cell_each() && !contacts.has_portals();
       const uint32_t is_certain = (one_contact ? 1U : 0U) & (over.ball == under.ball ? 1U : 0U) &
-                                  (polygon_[0].facet->has_covered_corner | polygon_[1].facet->has_covered_corner);
+                                  (under.has_covered_corner | over.has_covered_corner);
       if (is_certain != 0) {  // one branch, as each of its conditions is as likely as not
         contacts.push(cells);
         continue;
@@ -399,8 +394,7 @@ Status FacetOverlay::find(const BallSet &balls, const CubeFrame &frame, uint32_t
         contacts.push(cells);
         continue;
       }
-      if (over.ball == under.ball && !contacts.has_portals() && !have_one_cell_each() &&
-          add_parts_of_equals(under.facet, over.facet)) {
+      if (over.ball == under.ball && !contacts.has_portals() && !have_one_cell_each() && add_parts_of_equals(b, a)) {
         continue;
       }
       if (!has_planes) {
@@ -409,7 +403,7 @@ Status FacetOverlay::find(const BallSet &balls, const CubeFrame &frame, uint32_t
         }
         has_planes = true;
       }
-      overlay(under.facet, over.facet, contacts);
+      overlay(b, a, contacts);
     }
   }
   return parts_.overflowed() ? Status::capacity : parts_.resolve(frame_, contacts);

@@ -73,15 +73,10 @@ class FacetOverlay {
     uint32_t corner_between(uint32_t a, uint32_t b) const { return next(a) == b ? b : next(b) == a ? a : no_id; }
   };
 
-  // A facet with a part outside its ball; whether the ball meets the other cube too; and the box around the facet.
-  struct Listed {
-    uint32_t facet, ball, meets_both;
-    float low_u, high_u, low_w, high_w;
-  };
   enum class Meeting { apart, together, unknown };
 
-  static uint32_t list(Span<Listed> out, const Side &side, uint32_t number);
-  uint32_t list_near(const Listed &over, uint32_t lower_count);
+  static uint32_t list(Span<uint32_t> out, const Side &side, uint32_t number);
+  uint32_t list_near(const SideFacets &facets, uint32_t lower_count, const SideFacet &over);
   bool have_one_cell_each() const;
   Meeting compare() const;
   FacetSides compare(const Polygon &corners, const Polygon &lines) const;
@@ -114,8 +109,8 @@ class FacetOverlay {
   Span<Edge> edges_, other_edges_;
   Span<UnitPlane> above_planes_;  // the planes of the edges of the facet above
   Span<int8_t> sides_;
-  Span<Listed> below_, above_;
-  Span<uint32_t> near_;  // the facets below with which one above may have a piece
+  Span<uint32_t> below_, above_;  // the facets of both cubes on the side
+  Span<uint32_t> near_;           // the facets below with which one above may have a piece
   Target target_ = Target::baseline;
   uint32_t size_ = 0;
   FacetParts parts_;  // parts with an unknown cell on one side, and parts that may tell others theirs
