@@ -514,7 +514,9 @@ bool is_in_tetrahedron(const BallSet &balls, const TangentPoint &point, const ui
   return true;
 }
 
-static void name_of_gate(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, uint32_t *name) {
+namespace {
+
+void name_of_gate(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, uint32_t *name) {
   const uint32_t n = tied.size();
   bool on_side = false;
   name[3] = no_id;
@@ -532,6 +534,8 @@ static void name_of_gate(const BallSet &balls, const TangentPoint &point, Span<c
     }
   }
 }
+
+}  // namespace
 
 void name_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, PointKind kind,
              Span<Vec3> room, uint32_t *name) {
