@@ -10,6 +10,7 @@
 #pragma once
 
 #include "core/decimal.hpp"
+#include "exact/filter.hpp"
 #include "lanes/floating_point.hpp"
 #include "model/ball_set.hpp"
 #include "model/cube_table.hpp"
@@ -110,15 +111,12 @@ class CubeFrame {
   // The side of a plane on which a point lies: +1 the near side, -1 the far side, 0 not certain.
   int side_of(const BoundedPoint &point, const UnitPlane &S) const {
     const double beyond = dot(S.v, point.y) - S.h;
-    const double error = point.error + plane_error();
-    return beyond < -error ? 1 : beyond > error ? -1 : 0;
+    return -exact::certain_sign(beyond, point.error + plane_error());
   }
   // Whether a point is outside a sphere of squared diameter W, from its squared distance to the centre: +1 outside, -1
   // inside, 0 not certain. The point lies in this cube or on its sides.
   int outside(double squared_distance, double error, double W) const {
-    const double excess = squared_distance - W;
-    const double margin = sphere_error(error);
-    return excess > margin ? 1 : excess < -margin ? -1 : 0;
+    return exact::certain_sign(squared_distance - W, sphere_error(error));
   }
   // A bound of the error of a squared distance, if positions are off by `error`.
   double sphere_error(double error) const { return side_ * (16 * error + 1024 * unit_roundoff * side_); }
@@ -133,9 +131,7 @@ class CubeFrame {
     const double along = dot(centre - from.y, edge);
     if (along <= 0.0) return outside(from_squared, error, W);
     if (along >= length) return outside(to_squared, error, W);
-    const double excess = (from_squared - W) * length - along * along;
-    const double margin = sphere_error(error) * length;
-    return excess > margin ? 1 : excess < -margin ? -1 : 0;
+    return exact::certain_sign((from_squared - W) * length - along * along, sphere_error(error) * length);
   }
 
  private:

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/extremes.hpp"
+#include "exact/filter.hpp"
 #include "exact/lattice.hpp"
 #include "pores/ascent.hpp"
 #include "pores/cube_halves.hpp"
@@ -130,7 +131,7 @@ class CubeDirections {
     const Vec3 u = y(i) - y(j), v = y(i) - y(k), n = cross(u, v);
     const double tiny = 1e-13 * size(u) * size(v), offset = dot(n, y(i)),
                  span = seen.side * size(n) + 4.0 * tiny * seen.extent;
-    return {n, offset, tiny, offset > span ? 1 : offset < -span ? -1 : 0};
+    return {n, offset, tiny, exact::certain_sign(offset, span)};
   }
   // Whether the cube certainly does not meet the triangle of three centres.
   bool is_outside(const Face &face, uint32_t i, uint32_t j, uint32_t k) const {

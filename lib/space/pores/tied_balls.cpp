@@ -3,6 +3,7 @@
 #include <initializer_list>
 
 #include "core/extremes.hpp"
+#include "exact/filter.hpp"
 
 namespace hsp {
 namespace {
@@ -42,9 +43,8 @@ class PlainSides {
   // product of their lengths, without those in `scale`.
   int side(const Vec3 &normal, double length, uint32_t centre) const {
     const Vec3 off = at_ - Vec3{balls_.x[centre], balls_.y[centre], balls_.z[centre]};
-    const double height = dot(normal, off), most = scale_ * length;
-    const double error = most * (24.0 * error_ + 0x1p-44 * (longest_part(off) + error_));
-    return height > error ? 1 : height < -error ? -1 : 0;
+    const double most = scale_ * length;
+    return exact::certain_sign(dot(normal, off), most * (24.0 * error_ + 0x1p-44 * (longest_part(off) + error_)));
   }
 
  private:
