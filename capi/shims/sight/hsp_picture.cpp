@@ -161,48 +161,41 @@ int32_t check_ink(const hsp_sticks &sticks, const hsp_picture_options &options) 
   return map->map().exist && map->has_same_sticks(sticks) ? HSP_OK : HSP_E_ARGUMENT;
 }
 
-// The contents of a picture without its paths.
-struct Contents {
-  const hsp::BallSet &balls;
-  const Call &call;
-  const hsp_picture_options &options;
+// Writes a picture of paths.
+hsp::Status draw(Call &call, const hsp::BallSet &balls, const hsp_picture_options &options,
+                 const hsp::PaintedPaths &paths, hsp::Span<uint32_t> scratch, uint64_t &taken) {
+  hsp::PictureInput input{balls, paths, call.colour, call.title, call.description};
+  if (options.ink != nullptr) input.silhouettes = hsp::silhouettes_of(options.ink->structure());
+  if (options.ink_of_sticks != nullptr) input.silhouettes = hsp::silhouettes_of(options.ink_of_sticks->map());
+  input.group = options.group;
+  input.atom_class = options.atom_class;
+  input.atom_title = options.atom_title;
+  return hsp::write_picture(input, from_c(options), scratch, Call::hand_on, &call, taken);
+}
 
-  hsp::PictureInput with(const hsp::PaintedPaths &paths) const {
-    hsp::PictureInput input{balls, paths, call.colour, call.title, call.description};
-    if (options.ink != nullptr) input.silhouettes = hsp::silhouettes_of(options.ink->structure());
-    if (options.ink_of_sticks != nullptr) input.silhouettes = hsp::silhouettes_of(options.ink_of_sticks->map());
-    input.group = options.group;
-    input.atom_class = options.atom_class;
-    input.atom_title = options.atom_title;
-    return input;
-  }
-};
-
-template <class Handle, class Write>
-int32_t write_if_valid(const Handle *handle, const Call &call, uint64_t &taken, Write write) {
+template <class Handle, class WithPaths>
+int32_t write_if_valid(const Handle *handle, Call &call, uint64_t &taken, WithPaths with_paths) {
   if (const int32_t status = check_handle(handle); status != HSP_OK) return status;
   hsp_picture_options wanted;
   if (const int32_t status = read_options(call.options, wanted); status != HSP_OK) return status;
   if (call.sink == nullptr) return HSP_E_ARGUMENT;
   // Without results the number of colours is not known.
-  const bool ready = handle->has_results();
-  if (ready && call.colour != nullptr && !are_colours(call.colour, handle->balls().n)) return HSP_E_ARGUMENT;
-  if (ready) {
-    if (const int32_t status = check_ink(*handle, wanted); status != HSP_OK) return status;
-  }
-  if (!ready) return HSP_E_STATE;
+  if (!handle->has_results()) return HSP_E_STATE;
+  if (call.colour != nullptr && !are_colours(call.colour, handle->balls().n)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_ink(*handle, wanted); status != HSP_OK) return status;
   if (!is_finite(wanted)) return HSP_E_NOT_FINITE;
   if (!is_in_range(wanted)) return HSP_E_RANGE;
   if (wanted.memory != nullptr && wanted.memory_bytes < HSP_PICTURE_MEMORY) return HSP_E_MEMORY;
-  const Contents contents{handle->balls(), call, wanted};
-  return hsp::capi::to_c(write(contents, from_c(wanted), taken));
+  return hsp::capi::to_c(with_paths([&](const hsp::PaintedPaths &paths, hsp::Span<uint32_t> scratch) {
+    return draw(call, handle->balls(), wanted, paths, scratch, taken);
+  }));
 }
 
-// write(contents, options, taken) writes the picture of a handle with results.
-template <class Handle, class Write>
-int32_t write_checked(const Handle *handle, const Call &call, Write write) {
+// with_paths(write) calls write(paths, scratch memory) for a handle with results.
+template <class Handle, class WithPaths>
+int32_t write_checked(const Handle *handle, Call &call, WithPaths with_paths) {
   uint64_t taken = 0;
-  const int32_t status = write_if_valid(handle, call, taken, write);
+  const int32_t status = write_if_valid(handle, call, taken, with_paths);
   if (call.bytes != nullptr && status != HSP_E_HANDLE) *call.bytes = taken;
   return status;
 }
@@ -251,10 +244,8 @@ int32_t hsp_picture_write(hsp_view *view, const uint32_t *colour, const hsp_pict
                           const char *description, hsp_sink sink, void *context, uint64_t *bytes) {
   LibraryArithmetic arithmetic;
   Call call{arithmetic, colour, options, title, description, sink, context, bytes};
-  return write_checked(view, call, [&](const Contents &contents, const hsp::PictureOptions &wanted, uint64_t &taken) {
-    return hsp::write_picture(contents.with(hsp::paths_of(view->structure())), wanted, view->builder.scratch(),
-                              Call::hand_on, &call, taken);
-  });
+  return write_checked(view, call,
+                       [view](auto write) { return write(hsp::paths_of(view->structure()), view->builder.scratch()); });
 }
 
 int32_t hsp_picture_write_map(hsp_map *map, const uint32_t *colour, const hsp_picture_options *options,
@@ -262,10 +253,9 @@ int32_t hsp_picture_write_map(hsp_map *map, const uint32_t *colour, const hsp_pi
                               uint64_t *bytes) {
   LibraryArithmetic arithmetic;
   Call call{arithmetic, colour, options, title, description, sink, context, bytes};
-  return write_checked(map, call, [&](const Contents &contents, const hsp::PictureOptions &wanted, uint64_t &taken) {
+  return write_checked(map, call, [map](auto write) {
     const hsp::MapPaths paths(map->balls(), map->structure(), map->builder.scratch());
-    return hsp::write_picture(contents.with(paths.paths()), wanted, map->builder.more_scratch(), Call::hand_on, &call,
-                              taken);
+    return write(paths.paths(), map->builder.more_scratch());
   });
 }
 
@@ -274,8 +264,6 @@ int32_t hsp_picture_write_sticks(hsp_sticks *sticks, const uint32_t *colour, con
                                  uint64_t *bytes) {
   LibraryArithmetic arithmetic;
   Call call{arithmetic, colour, options, title, description, sink, context, bytes};
-  return write_checked(sticks, call, [&](const Contents &contents, const hsp::PictureOptions &wanted, uint64_t &taken) {
-    return hsp::write_picture(contents.with(sticks->builder.paths()), wanted, sticks->builder.scratch(), Call::hand_on,
-                              &call, taken);
-  });
+  return write_checked(sticks, call,
+                       [sticks](auto write) { return write(sticks->builder.paths(), sticks->builder.scratch()); });
 }
