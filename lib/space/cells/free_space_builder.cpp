@@ -3,8 +3,6 @@
 #include <bit>
 
 #include "core/disjoint_sets.hpp"
-#include "core/rows.hpp"
-#include "core/sorting.hpp"
 
 namespace hsp {
 
@@ -179,27 +177,47 @@ Status FreeSpaceBuilder::touch_cubes(const BallSet &balls, const Cube &cube) {
   return Status::ok;
 }
 
-// Makes the lists of neighbours from the contacts.
+// Makes the lists of neighbours from the contacts: of each cell those before it, then those behind it. Cells are
+// entered into the lists of others in ascending order, so that no list has to be sorted.
 void FreeSpaceBuilder::link_cells(Patience &patience) {
   FreeSpace &space = structure_;
   const uint32_t cells = space.cells.size();
-  const Span<uint32_t> first = space.first_neighbour;
+  uint32_t *const first = space.first_neighbour.data(), *const end = space.region_sets.data();
+  uint32_t *const neighbour = space.neighbour.data();
   const Span<const AdjacentCells> contacts = space.contacts.items();
-  for (uint32_t c = 0; c < cells; ++c) first[c] = 0;
+  const auto lower_of = [](const AdjacentCells &pair) {
+    return pair.cell[0] < pair.cell[1] ? pair.cell[0] : pair.cell[1];
+  };
+  for (uint32_t c = 0; c < cells; ++c) first[c] = end[c] = 0;
   for (const AdjacentCells &pair : contacts) {
     if (!patience.allows(20)) return;
-    for (const uint32_t cell : pair.cell) ++first[cell];
+    const uint32_t low = lower_of(pair);
+    ++end[pair.cell[0] ^ pair.cell[1] ^ low];
+    ++first[low];
   }
-  end_rows(first, cells);
+  uint32_t count = 0;
+  for (uint32_t c = 0; c < cells; ++c) {
+    if (!patience.allows(20)) return;
+    const uint32_t neighbours = end[c] + first[c];
+    first[c] = end[c] = count;
+    count += neighbours;
+  }
+  first[cells] = count;
+  // First the cells before each cell, in the order of contacts; then those behind it, in order; then those before it
+  // once more, in order.
   for (const AdjacentCells &pair : contacts) {
     if (!patience.allows(20)) return;
-    space.neighbour[--first[pair.cell[0]]] = pair.cell[1];
-    space.neighbour[--first[pair.cell[1]]] = pair.cell[0];
+    const uint32_t low = lower_of(pair);
+    neighbour[end[pair.cell[0] ^ pair.cell[1] ^ low]++] = low;
   }
   for (uint32_t c = 0; c < cells; ++c) {
-    const Span<uint32_t> neighbours = space.neighbour.part(first[c], first[c + 1]);
-    if (!patience.allows(50 + 50 * uint64_t{neighbours.size()})) return;
-    sort_ascending(neighbours);
+    if (!patience.allows(50)) return;
+    for (uint32_t k = first[c], before = end[c]; k < before; ++k) neighbour[end[neighbour[k]]++] = c;
+  }
+  for (uint32_t c = 0; c < cells; ++c) end[c] = first[c];
+  for (uint32_t c = 0; c < cells; ++c) {
+    if (!patience.allows(50)) return;
+    for (uint32_t k = end[c]; k < first[c + 1]; ++k) neighbour[end[neighbour[k]]++] = c;
   }
 }
 
