@@ -257,8 +257,9 @@ uint32_t PowerCell::list_edges() {
   return count;
 }
 
-// Notes each edge that is outside the ball as a whole in free_edges_.
-void PowerCell::find_free_edges(double limit, double error) {
+// Calls visit(edge) for each edge that is outside the ball as a whole, and notes it in free_edges_.
+template <class Visit>
+void PowerCell::for_each_free_edge(double limit, double error, Visit visit) {
   uint8_t *const free_edges = free_edges_.data();
   const uint32_t count = list_edges();
   for (uint32_t first = 0; first < count; first += 64) {
@@ -274,6 +275,7 @@ void PowerCell::find_free_edges(double limit, double error) {
       const EdgeEnds edge = edges[std::countr_zero(outside)];
       free_edges[edge.from / 4] = static_cast<uint8_t>(free_edges[edge.from / 4] | 1U << edge.from % 4);
       free_edges[edge.to / 4] = static_cast<uint8_t>(free_edges[edge.to / 4] | 1U << edge.to % 4);
+      visit(edge);
     }
   }
 }
@@ -284,12 +286,40 @@ void PowerCell::find_free_parts() {
   parts_ = 0;
   const uint32_t free_vertices = find_free_vertices(limit, error);
   if (free_vertices == 0) return;
-  find_free_edges(limit, error);
-  gather_parts(free_vertices);
+  if (polytope_.size() <= 64) {
+    gather_few(limit, error);
+  } else {
+    for_each_free_edge(limit, error, [](const EdgeEnds &) {});
+    gather_many(free_vertices);
+  }
 }
 
-// Finds the free parts, one after another.
-void PowerCell::gather_parts(uint32_t free_vertices) {
+// Finds the free parts of up to 64 vertices, with bits for vertices: those that free edges lead to from the first
+// vertex without a part.
+void PowerCell::gather_few(double limit, double error) {
+  uint32_t *const part = part_.data();
+  const uint64_t outside = outside_[0];
+  uint64_t joined[64];
+  for (uint64_t left = outside; left != 0; left &= left - 1) joined[std::countr_zero(left)] = 0;
+  for_each_free_edge(limit, error, [&](const EdgeEnds &edge) {
+    joined[edge.from / 4] |= UINT64_C(1) << edge.to / 4;
+    joined[edge.to / 4] |= UINT64_C(1) << edge.from / 4;
+  });
+  for (uint64_t without = outside; without != 0;) {
+    uint64_t reached = without & (~without + 1);
+    for (uint64_t waiting = reached; waiting != 0;) {
+      const uint64_t found = joined[std::countr_zero(waiting)] & ~reached;
+      reached |= found;
+      waiting = (waiting & (waiting - 1)) | found;
+    }
+    without ^= reached;
+    for (; reached != 0; reached &= reached - 1) part[std::countr_zero(reached)] = parts_;
+    ++parts_;
+  }
+}
+
+// The same for any number of vertices, one after another.
+void PowerCell::gather_many(uint32_t free_vertices) {
   uint32_t *const part = part_.data(), *const waiting = waiting_.data();
   uint32_t known = 0;
   for (uint32_t start = 0; known < free_vertices; ++start) {

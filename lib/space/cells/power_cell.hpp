@@ -81,8 +81,10 @@ class PowerCell {
   bool has_certain_point() const;
   uint32_t find_free_vertices(double limit, double error);
   uint32_t list_edges();
-  void find_free_edges(double limit, double error);
-  void gather_parts(uint32_t free_vertices);
+  template <class Visit>
+  void for_each_free_edge(double limit, double error, Visit visit);
+  void gather_few(double limit, double error);
+  void gather_many(uint32_t free_vertices);
   bool is_outside(uint32_t v) const;
   bool edge_is_free(uint32_t v, uint32_t k) const;
   bool has_centre_before(uint32_t number) const;
