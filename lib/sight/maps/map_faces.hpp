@@ -9,9 +9,9 @@
 
 namespace hsp {
 
-// The body seen behind an edge on a contour. Asks at up to four points of the edge, until the answer is certain. `sight`
-// in this file answers sight.highest_at(x, y, except): which body has the highest front at a point, body `except` left
-// out.
+// The body seen behind an edge on a contour. Asks at up to four points of the edge, until the answer is certain.
+// `sight` in this file answers sight.highest_at(x, y, except): which body has the highest front at a point, body
+// `except` left out.
 template <class Map, class Sight>
 HighestBody sight_behind(const Map &map, const MapEdge &edge, const Sight &sight) {
   HighestBody behind{no_id, false};

@@ -93,8 +93,8 @@ class BodySight {
   // items: sorted by their left sides. Balls inside others do not count.
   BodySight(const StickScene &scene, Span<const SweptBox> items);
 
-  // The body with the highest front at a point. Left out are `except` and, if that is a part of a stick, the other part.
-  // Certain unless the point is close to a contour, or two fronts are close to each other.
+  // The body with the highest front at a point. Left out are `except` and, if that is a part of a stick, the other
+  // part. Certain unless the point is close to a contour, or two fronts are close to each other.
   HighestBody highest_at(double x, double y, uint32_t except) const;
 
  private:

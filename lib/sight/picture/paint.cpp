@@ -1,7 +1,5 @@
 #include "picture/paint.hpp"
 
-#include <algorithm>
-
 #include "core/first_index.hpp"
 #include "core/sorting.hpp"
 #include "picture/depth_shares.hpp"
@@ -31,9 +29,12 @@ Paint::Paint(const PictureInput &input, const PictureOptions &options, const Pag
 void Paint::find_shades(Span<uint32_t> scratch) {
   const uint32_t paths = input_.paths.size();
   for (uint32_t p = 0; p < paths; ++p) scratch[p] = key_of(p);
-  shades_ = scratch.part(0, paths);
-  sort_ascending(shades_);
-  shades_ = shades_.part(0, static_cast<uint32_t>(std::unique(shades_.begin(), shades_.end()) - shades_.begin()));
+  sort_ascending(scratch.part(0, paths));
+  uint32_t distinct = 0;
+  for (uint32_t p = 0; p < paths; ++p) {
+    if (p == 0 || scratch[p] != scratch[distinct - 1]) scratch[distinct++] = scratch[p];
+  }
+  shades_ = scratch.part(0, distinct);
 }
 
 double Paint::fog_share(uint32_t path) const {

@@ -1,7 +1,5 @@
 #include "picture/svg_path.hpp"
 
-#include <cstdlib>
-
 #include "core/elementary.hpp"
 
 namespace hsp {
@@ -17,6 +15,10 @@ double cut_of(double span) {
   if (span <= nearly_half_a_turn) return 1.0;
   if (span < 2 * pi - nearly_half_a_turn) return 0.5;
   return span <= longest_span ? 1.0 : 1.0 / 3;
+}
+
+int64_t magnitude(int64_t n) {
+  return n < 0 ? -n : n;
 }
 
 }  // namespace
@@ -57,7 +59,8 @@ void SvgPath::follow(const PageArc &arc, int circle_decimals) {
 void SvgPath::follow(const InkCurve &curve) {
   const WrittenPoint control = written(curve.control), end = written(curve.end);
   // The curve's middle is halfway between the line's middle and the control point.
-  const bool straight = std::abs(2 * control.x - pen_.x - end.x) <= 4 && std::abs(2 * control.y - pen_.y - end.y) <= 4;
+  const bool straight =
+      magnitude(2 * control.x - pen_.x - end.x) <= 4 && magnitude(2 * control.y - pen_.y - end.y) <= 4;
   if (straight && end.x == pen_.x && end.y == pen_.y) return;
   put_command(straight ? 'l' : 'q');
   if (!straight) put_step_to(control);

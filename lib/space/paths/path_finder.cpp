@@ -1,6 +1,6 @@
 #include "paths/path_finder.hpp"
 
-#include <algorithm>
+#include <utility>
 
 #include "cells/cell_location.hpp"
 #include "paths/free_segments.hpp"
@@ -53,7 +53,7 @@ Status PathFinder::find(const BallSet &balls, const exact::Vector &from, const e
   for (uint32_t time = 0; time < 2; ++time) {
     shorten(balls, patience);
     if (!patience.allows(0)) return stop();
-    std::reverse(points_.items().begin(), points_.items().end());
+    for (uint32_t a = 0, b = points_.size() - 1; a < b; ++a, --b) std::swap(points_[a], points_[b]);
   }
   summary = {PathEnds::connected, true, 0.0, segment_clearance(balls, from, from)};
   for (uint32_t k = 1; k < points_.size(); ++k) {

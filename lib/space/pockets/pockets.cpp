@@ -1,7 +1,5 @@
 #include "pockets/pockets.hpp"
 
-#include <algorithm>
-
 #include "core/sorting.hpp"
 
 namespace hsp {
@@ -140,7 +138,11 @@ void PocketFinder::gather(const PoresBuilder &pores, double narrow) {
     if (pocket.last_mouth > pocket.first_mouth) pocket.mouth = mouths_[pocket.first_mouth];
     const Span<uint32_t> all = balls_.part(pocket.first_ball, pocket.last_ball);
     sort_ascending(all);
-    pocket.last_ball = pocket.first_ball + static_cast<uint32_t>(std::unique(all.begin(), all.end()) - all.begin());
+    uint32_t kept = 0;
+    for (uint32_t k = 0; k < all.size(); ++k) {
+      if (k == 0 || all[k] != all[kept - 1]) all[kept++] = all[k];
+    }
+    pocket.last_ball = pocket.first_ball + kept;
   }
 }
 

@@ -1,7 +1,7 @@
 #include "pockets/tunnel.hpp"
 
-#include <algorithm>
 #include <initializer_list>
+#include <utility>
 
 #include "core/extremes.hpp"
 #include "core/rows.hpp"
@@ -142,7 +142,7 @@ void TunnelFinder::take_route(const PoresBuilder &pores, uint32_t from, uint32_t
     route_[route_count_++] = by;
     node = node_of(pores.gates()[by.gate()].end[by.end()]);
   }
-  std::reverse(route_.begin(), route_.begin() + route_count_);
+  for (uint32_t a = 0, b = route_count_; a + 1 < b; ++a) std::swap(route_[a], route_[--b]);
 }
 
 // Makes a closed route: from the root to the node at which a step begins, by that step, and back to the root.
@@ -163,7 +163,8 @@ void TunnelFinder::add_point(const PoresBuilder &pores, const CriticalPoint &poi
 }
 
 void TunnelFinder::reverse(uint64_t first) {
-  if (!points_.overflowed()) std::reverse(points_.items().begin() + first, points_.items().end());
+  if (points_.overflowed()) return;
+  for (auto a = static_cast<uint32_t>(first), b = points_.size(); a + 1 < b; ++a) std::swap(points_[a], points_[--b]);
 }
 
 // The last points of a way up are close together; and a maximum that is given as an end would be there twice.

@@ -54,8 +54,8 @@ bool WayUp::is_tied(uint32_t ball) const {
   return false;
 }
 
-// The first of the nearest balls that gets nearer at once on a way; no_id if there is none. from_lowest: whether the way
-// begins at the lowest point of its curve, in the plane of the centres.
+// The first of the nearest balls that gets nearer at once on a way; no_id if there is none. from_lowest: whether the
+// way begins at the lowest point of its curve, in the plane of the centres.
 uint32_t WayUp::find_nearer(const Way &way, bool from_lowest) const {
   for (const uint32_t ball : tied_.items()) {
     if (is_of_curve(way.curve, ball)) continue;
