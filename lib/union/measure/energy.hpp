@@ -121,11 +121,8 @@ class EnergySum {
     volume_.add_zeros(share.volume, times);
     by_probe_.add_zeros(share.by_probe, times);
   }
-  EnergyShare sums(const EnergyShare &rest = {}) const {
+  EnergyShare sums(const EnergyShare &rest) const {
     return {area_.total(rest.area), volume_.total(rest.volume), by_probe_.total(rest.by_probe)};
-  }
-  Energy total(const exact::Lattice &lattice, double tension, double pressure) const {
-    return energy_of(sums(), lattice, tension, pressure);
   }
 
  private:
@@ -157,22 +154,6 @@ void differentiate_balls(const CubeGrid &grid, const Boundary &boundary, const E
   });
 }
 
-// Calls sink(i, gradient) for every ball i of the input, and returns the energy.
-template <class Sink>
-Energy differentiate_energy(const CubeGrid &grid, const Boundary &boundary, const EnergyTerms &terms, Sink sink) {
-  const BallSet &balls = grid.balls();
-  EnergySum sum;
-  struct {
-    Sink &sink;
-    void operator()(uint32_t i, const EnergyGradient &gradient) { sink(i, gradient); }
-    void operator()(IdRange run, const EnergyGradient &gradient) {
-      for (const uint32_t i : run) sink(i, gradient);
-    }
-  } each{sink};
-  differentiate_balls(grid, boundary, terms, {0, balls.n}, sum, each);
-  return sum.total(balls.lattice, terms.tension, terms.pressure);
-}
-
 // The energy from shares: visit(range, sum) adds those of the balls of a range. False if the executor fails.
 template <class Visit>
 bool sum_energy(const Executor &executor, uint32_t balls, const exact::Lattice &lattice, const EnergyTerms &terms,
@@ -183,8 +164,8 @@ bool sum_energy(const Executor &executor, uint32_t balls, const exact::Lattice &
   return each;
 }
 
-// The same as the first differentiate_energy(), by the tasks of the executor; `sink` is as for differentiate_balls().
-// False if the executor fails.
+// Calls `sink` as differentiate_balls() does for all balls, by the tasks of the executor, and finds the energy. False if
+// the executor fails.
 template <class Sink>
 bool differentiate_energy(const Executor &executor, const CubeGrid &grid, const Boundary &boundary,
                           const EnergyTerms &terms, Energy &energy, Sink sink) {

@@ -44,10 +44,5 @@ void visit_in_input_order(const CubeGrid &grid, const Boundary &boundary, IdRang
   }
 }
 
-// The same for all balls.
-template <class Visit>
-void visit_in_input_order(const CubeGrid &grid, const Boundary &boundary, Visit visit) {
-  visit_in_input_order(grid, boundary, {0, grid.balls().n}, visit);
-}
 
 }  // namespace hsp

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "built_boundary.hpp"
+#include "energy_of_all.hpp"
 
 namespace {
 
@@ -16,8 +17,8 @@ TEST(Energy, IsThatOfTheExampleInItsHeader) {
   terms.pressure = 3;
   std::vector<hsp::EnergyGradient> own;
   const hsp::Energy energy =
-      hsp::differentiate_energy(built.grid(), built.boundary(), terms,
-                                [&](uint32_t, const hsp::EnergyGradient &gradient) { own.push_back(gradient); });
+      support::differentiate_energy(built.grid(), built.boundary(), terms,
+                                    [&](uint32_t, const hsp::EnergyGradient &gradient) { own.push_back(gradient); });
   EXPECT_NEAR(energy.area, 180 * hsp::pi, 1e-11);
   EXPECT_NEAR(energy.volume, 324 * hsp::pi, 1e-11);
   EXPECT_NEAR(energy.value, 1332 * hsp::pi, 1e-10);

@@ -17,7 +17,7 @@ inline uint32_t balls_are_visited_in_order() {
     const hsp::BallSet &balls = small_union().balls();
     uint32_t visited = 0;
     bool in_order = true, same = true;
-    hsp::visit_in_input_order(small_union().grid(), small_union().boundary(), [&](uint32_t i, uint32_t ball) {
+    hsp::visit_in_input_order(small_union().grid(), small_union().boundary(), {0, n}, [&](uint32_t i, uint32_t ball) {
       in_order = in_order && i == visited++ && ball < n && balls.caller[ball] == i && balls.x[ball] == zigzag[i].x;
       same = same && i == ball;
     });

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "measure/energy.hpp"
+#include "energy_of_all.hpp"
 #include "measure/totals.hpp"
 #include "small_union.hpp"
 
@@ -54,11 +54,11 @@ struct EnergyOf {
     if (!small_union().build(balls, n)) return;
     uint32_t visited = 0;
     holds = true;
-    energy = hsp::differentiate_energy(small_union().grid(), small_union().boundary(), terms,
-                                       [&](uint32_t i, const hsp::EnergyGradient &own) {
-                                         holds = holds && i == visited;
-                                         gradient[visited++] = own;
-                                       });
+    energy = support::differentiate_energy(small_union().grid(), small_union().boundary(), terms,
+                                           [&](uint32_t i, const hsp::EnergyGradient &own) {
+                                             holds = holds && i == visited;
+                                             gradient[visited++] = own;
+                                           });
     holds = holds && visited == n;
   }
 };

@@ -9,6 +9,7 @@
 #include "ball_list.hpp"
 #include "boundary/boundary_builder.hpp"
 #include "built_grid.hpp"
+#include "energy_of_all.hpp"
 #include "lattice_lengths.hpp"
 #include "measure/tangency.hpp"
 #include "moving/moving_balls.hpp"
@@ -143,7 +144,7 @@ class MovedUnion {
     std::vector<hsp::EnergyGradient> gradients(n);
     numbers.totals = hsp::measure_union(grid_, boundary, nullptr,
                                         [&](uint32_t i, const hsp::BallMeasure &measure) { measures[i] = measure; });
-    numbers.energy = hsp::differentiate_energy(
+    numbers.energy = support::differentiate_energy(
         grid_, boundary, terms_, [&](uint32_t i, const hsp::EnergyGradient &gradient) { gradients[i] = gradient; });
     hsp::visit_free_inner_contacts(grid_, boundary, [&](uint32_t inner, uint32_t outer) {
       gradients[grid_.balls().caller[inner]].one_sided = gradients[grid_.balls().caller[outer]].one_sided = true;
