@@ -1,4 +1,7 @@
-// Finds for every half-edge of one sphere the half-edge that follows it: find_next() of half_edges.hpp for all at once.
+// Finds for every half-edge of one sphere the half-edge that follows it, the one that starts where it ends. Several arcs
+// on one circle are distinguished by the order of the mid-points of the covered arcs: a loop runs clockwise, so the free
+// arc that it enters at the entry of cap R ends at the exit that comes last before R, counter-clockwise.
+//
 // Each circle has two words of bits. A half-edge has a bit in the word `leaving` of its own circle, and one in the word
 // `arriving` of its previous circle, along which its loop arrives at the vertex where it starts. So nearly every
 // half-edge finds its follower without a comparison, and the cyclic order decides among the candidates that are left.
@@ -7,9 +10,8 @@
 #pragma once
 
 #include "core/id_range.hpp"
-#include "core/small_code.hpp"
 #include "core/workspace.hpp"
-#include "sphere/half_edges.hpp"
+#include "exact/angular_order.hpp"
 
 namespace hsp {
 
@@ -36,12 +38,7 @@ class HalfEdgeChain {
       for (uint32_t k = 0; k < half_edges.size(); ++k) mark(half_edges[k].*previous, half_edges[k].circle, k);
       return link_marked(half_edges, first, previous, direction);
     }
-    if constexpr (small_code) {
-      const auto previous_of = [previous](const Item &half_edge) { return half_edge.*previous; };
-      for (Item &each : half_edges) each.next = first + find_next(half_edges, each, previous_of, direction);
-    } else {
-      link_lists(half_edges, first, previous, direction);
-    }
+    link_lists(half_edges, first, previous, direction);
   }
 
   // The same in two steps, for at most `most` half-edges: all are marked first, in any order, then linked. The sum of

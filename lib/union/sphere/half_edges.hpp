@@ -12,7 +12,6 @@
 
 #include "core/sorting.hpp"
 #include "core/status.hpp"
-#include "exact/angular_order.hpp"
 
 namespace hsp {
 
@@ -60,29 +59,5 @@ struct HalfEdge {
   uint32_t next;  // the half-edge that starts where it ends
   uint32_t loop;
 };
-
-// The index, among the half-edges of one sphere, of the half-edge that follows `half_edge`: it starts where `half_edge`
-// ends. previous(h) is the circle of the half-edge that ends where h starts, and direction(c) the normal of the plane
-// of circle c. Several arcs on one circle are distinguished by the order of the mid-points of the covered arcs: a loop
-// runs clockwise, so the free arc that it enters at the entry of cap R ends at the exit that comes last before R,
-// counter-clockwise.
-template <class Item, class Previous, class Direction>
-uint32_t find_next(Span<Item> half_edges, const Item &half_edge, Previous previous, Direction direction) {
-  uint32_t best = no_id;
-  for (uint32_t w = 0; w < half_edges.size(); ++w) {
-    const Item &candidate = half_edges[w];
-    if (previous(candidate) != half_edge.circle) continue;
-    if (best == no_id || half_edges[best].circle == previous(half_edge)) {
-      best = w;
-      continue;
-    }
-    if (candidate.circle == previous(half_edge)) continue;  // a whole turn away
-    if (exact::counter_clockwise_before(direction(half_edge.circle), direction(previous(half_edge)),
-                                        direction(half_edges[best].circle), direction(candidate.circle))) {
-      best = w;
-    }
-  }
-  return best;
-}
 
 }  // namespace hsp

@@ -9,6 +9,7 @@
 
 #include "balls_around.hpp"
 #include "built_boundary.hpp"
+#include "find_next.hpp"
 
 namespace {
 
@@ -39,7 +40,7 @@ void check(const BuiltBoundary &built, const hsp::HalfEdgeChain &chain, oracle::
     chain.link(all, 1000, &Item::previous_circle, direction);
     for (uint32_t k = 0; k < count; ++k) {
       ASSERT_EQ(items[k].previous_circle, given[k].previous_circle);
-      ASSERT_EQ(items[k].next, 1000 + hsp::find_next(all, items[k], previous, direction)) << k << " of " << count;
+      ASSERT_EQ(items[k].next, 1000 + support::find_next(all, items[k], previous, direction)) << k << " of " << count;
       int candidates = 0;
       for (const Item &other : items) candidates += other.previous_circle == items[k].circle;
       seen.several += candidates > 1;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cases.hpp"
+#include "find_next.hpp"
 #include "sphere/half_edges.hpp"
 
 namespace cases {
@@ -31,7 +32,8 @@ inline uint32_t arcs_end_at_the_next_exit() {
     arcs[0] = {c.start, 0};
     arcs[1] = {3, 4};  // on other circles
     for (uint32_t k = 0; k < c.candidates; ++k) arcs[2 + k] = {0, c.end[k]};
-    const uint32_t found = hsp::find_next(hsp::Span<Candidate>(arcs, 2 + c.candidates), arcs[0], previous, direction);
+    const uint32_t found =
+        support::find_next(hsp::Span<Candidate>(arcs, 2 + c.candidates), arcs[0], previous, direction);
     return found >= 2 && found < 2 + c.candidates && arcs[found].circle == c.expected;
   });
 }
