@@ -15,20 +15,6 @@ using namespace hsp::capi;
 
 namespace {
 
-constexpr uint32_t number_of(hsp::BoundaryInvariant invariant) {
-  return static_cast<uint32_t>(invariant);
-}
-
-// The numbers that the header gives the invariants of hsp_boundary_check.
-using hsp::BoundaryInvariant;
-static_assert(number_of(BoundaryInvariant::none) == 0);
-static_assert(number_of(BoundaryInvariant::vertices) == 1 && number_of(BoundaryInvariant::half_edges) == 2);
-static_assert(number_of(BoundaryInvariant::successors) == 3 && number_of(BoundaryInvariant::twins) == 4);
-static_assert(number_of(BoundaryInvariant::loops) == 5 && number_of(BoundaryInvariant::faces) == 6);
-static_assert(number_of(BoundaryInvariant::shells) == 7 && number_of(BoundaryInvariant::euler) == 8);
-static_assert(number_of(BoundaryInvariant::positions) == 9 && number_of(BoundaryInvariant::areas) == 10);
-static_assert(number_of(BoundaryInvariant::closure) == 11);
-
 // Calls visit(arc, half_edge, twin) for every arc, in the order of their ids.
 template <class Visit>
 void for_each_arc(const hsp::Boundary &boundary, Visit visit) {
@@ -215,6 +201,6 @@ int32_t hsp_boundary_check(hsp_boundary *boundary, uint32_t *invariant, uint32_t
   const hsp::BallSet &balls = boundary->balls();
   const hsp::Boundary &structure = boundary->structure();
   hsp::BoundaryViolation violation = hsp::check_boundary(balls, structure, boundary->builder.scratch());
-  if (violation.invariant == BoundaryInvariant::none) violation = hsp::check_boundary_metric(balls, structure);
+  if (violation.invariant == hsp::BoundaryInvariant::none) violation = hsp::check_boundary_metric(balls, structure);
   return report(violation, invariant, id);
 }

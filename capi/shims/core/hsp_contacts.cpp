@@ -17,15 +17,7 @@ using namespace hsp::capi;
 
 namespace {
 
-constexpr uint32_t number_of(hsp::ContactInvariant invariant) {
-  return static_cast<uint32_t>(invariant);
-}
-
-// The numbers that the header gives the invariants of hsp_contacts_check, and kinds of simplices.
-using hsp::ContactInvariant;
-static_assert(number_of(ContactInvariant::none) == 0);
-static_assert(number_of(ContactInvariant::records) == 1 && number_of(ContactInvariant::euler) == 2);
-static_assert(number_of(ContactInvariant::closure) == 3 && number_of(ContactInvariant::volume) == 4);
+// The numbers that the header gives the kinds of simplices.
 static_assert(static_cast<uint32_t>(hsp::SimplexKind::singular) == HSP_SIMPLEX_SINGULAR);
 static_assert(static_cast<uint32_t>(hsp::SimplexKind::regular) == HSP_SIMPLEX_REGULAR);
 static_assert(static_cast<uint32_t>(hsp::SimplexKind::interior) == HSP_SIMPLEX_INTERIOR);
@@ -52,7 +44,7 @@ template <uint32_t n>
 hsp_simplex to_simplex(const hsp::BallSet &balls, const uint32_t (&ball)[n], hsp::SimplexKind kind) {
   hsp_simplex simplex{{HSP_NONE, HSP_NONE, HSP_NONE, HSP_NONE}, static_cast<uint32_t>(kind), 0};
   for (uint32_t k = 0; k < n; ++k) simplex.ball[k] = balls.caller[ball[k]];
-  hsp::sort_in_place(hsp::Span<uint32_t>(simplex.ball, n), [](uint32_t a, uint32_t b) { return a < b; });
+  hsp::sort_ascending(hsp::Span<uint32_t>(simplex.ball, n));
   return simplex;
 }
 

@@ -19,9 +19,7 @@ struct ArraysOfRow {
     for (uint32_t axis = 0; axis < 3; ++axis) d_centre[3 * k + axis] = 0.0;
     if (d_radius != nullptr) d_radius[k] = 0.0;
   }
-  void sort() const {
-    hsp::sort_in_place(hsp::Span<uint32_t>(balls, length), [](uint32_t a, uint32_t b) { return a < b; });
-  }
+  void sort() const { hsp::sort_ascending(hsp::Span<uint32_t>(balls, length)); }
   void add(uint32_t k, const hsp::AreaDerivative &part) const {
     d_centre[3 * k] += part.centre.x;
     d_centre[3 * k + 1] += part.centre.y;

@@ -5,18 +5,6 @@ using namespace hsp::capi;
 
 namespace {
 
-constexpr uint32_t number_of(hsp::TopologyInvariant invariant) {
-  return static_cast<uint32_t>(invariant);
-}
-
-// The numbers that the header gives the invariants of hsp_topology_check.
-using hsp::TopologyInvariant;
-static_assert(number_of(TopologyInvariant::none) == 0);
-static_assert(number_of(TopologyInvariant::algebra) == 1 && number_of(TopologyInvariant::vertices) == 2);
-static_assert(number_of(TopologyInvariant::faces) == 3 && number_of(TopologyInvariant::sides) == 4);
-static_assert(number_of(TopologyInvariant::euler) == 5 && number_of(TopologyInvariant::traversal) == 6);
-static_assert(number_of(TopologyInvariant::regions) == 7 && number_of(TopologyInvariant::volumes) == 8);
-
 // Applies a step of the quad-edge algebra to a quarter-edge that is there.
 template <class Step>
 uint32_t step_from(const hsp_topology *topology, uint32_t q, Step step) {
@@ -64,7 +52,7 @@ int32_t hsp_topology_check(hsp_topology *topology, uint32_t *invariant, uint32_t
   const hsp::Boundary &boundary = topology->boundary->structure();
   const hsp::Topology &structure = topology->structure();
   hsp::TopologyViolation violation = hsp::check_topology(boundary, structure, topology->builder.marks());
-  if (violation.invariant == TopologyInvariant::none) {
+  if (violation.invariant == hsp::TopologyInvariant::none) {
     violation = hsp::check_enclosed_volumes(topology->balls(), boundary, structure);
   }
   return report(violation, invariant, id);
