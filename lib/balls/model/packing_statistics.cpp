@@ -6,13 +6,6 @@
 namespace hsp {
 namespace {
 
-double distance_squared(const BallSet &balls, uint32_t i, uint32_t j) {
-  const double dx = balls.x[i] - balls.x[j];
-  const double dy = balls.y[i] - balls.y[j];
-  const double dz = balls.z[i] - balls.z[j];
-  return dx * dx + dy * dy + dz * dz;
-}
-
 // Keeps the smallest |c_i c_j| / max(r_i, r_j).
 struct ClosestPair {
   double ratio = std::numeric_limits<double>::infinity();
@@ -20,7 +13,8 @@ struct ClosestPair {
 
   void offer(const BallSet &balls, uint32_t i, uint32_t j) {
     const double larger = balls.r[i] > balls.r[j] ? balls.r[i] : balls.r[j];
-    const double squared = distance_squared(balls, i, j);
+    const Vec3 between = balls.difference(i, j);
+    const double squared = dot(between, between);
     coincident = coincident || squared == 0.0;
     if (larger > 0.0) {
       const double candidate = std::sqrt(squared) / larger;
@@ -35,10 +29,7 @@ bool overlap(const BallSet &balls, uint32_t i, uint32_t j) {
   const exact::LatticeBall b = balls.ball(j);
   const int64_t sum = a.radius + b.radius;
   const exact::Vector d = b.centre - a.centre;
-  if (d.x >= sum || d.y >= sum || d.z >= sum || -d.x >= sum || -d.y >= sum || -d.z >= sum) return false;
-  const uint64_t squared =
-      static_cast<uint64_t>(d.x * d.x) + static_cast<uint64_t>(d.y * d.y) + static_cast<uint64_t>(d.z * d.z);
-  return squared < static_cast<uint64_t>(sum * sum);
+  return exact::within(d, sum) && exact::squared_within(d) < static_cast<uint64_t>(sum * sum);
 }
 
 // Offers every pair whose centres lie in the same cube or in neighbouring cubes of the given side. These are all pairs

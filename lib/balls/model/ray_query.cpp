@@ -44,8 +44,8 @@ bool round_direction(const double *given, exact::Vector &direction) {
 class FirstHit {
  public:
   FirstHit(const BallSet &balls, const exact::LatticeRay &ray)
-      : balls_(balls), ray_(ray), origin_(in_doubles(ray.origin)) {
-    const Vec3 d = in_doubles(ray.direction);
+      : balls_(balls), ray_(ray), origin_(exact::to_double(ray.origin)) {
+    const Vec3 d = exact::to_double(ray.direction);
     unit_ = (1.0 / std::sqrt(dot(d, d))) * d;
   }
 
@@ -58,17 +58,13 @@ class FirstHit {
   RayHit hit() const {
     if (ball_ == no_id) return {no_id, infinity, {}};
     if (inside_) return {ball_, 0.0, origin_};
-    const Vec3 d = in_doubles(ray_.direction);
+    const Vec3 d = exact::to_double(ray_.direction);
     const double t = exact::RayCut(ray_, balls_.ball(ball_)).entry();
     return {ball_, t * std::sqrt(exact::wide_dot(ray_.direction, ray_.direction).to_double()),
             combine(1.0, origin_, t, d)};
   }
 
  private:
-  static Vec3 in_doubles(const exact::Vector &v) {
-    return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
-  }
-
   void look_at(uint32_t j) {
     const Vec3 u{balls_.x[j] - origin_.x, balls_.y[j] - origin_.y, balls_.z[j] - origin_.z};  // exact
     const double r = balls_.r[j];

@@ -23,6 +23,15 @@ constexpr bool ranks_before(const LatticeBall &a, const LatticeBall &b) {
                       RankKey<int64_t>{b.centre.x, b.centre.y, b.centre.z, b.radius, b.index});
 }
 
+// Whether no component of v is larger than s in size.
+constexpr bool within(const Vector &v, int64_t s) {
+  return v.x <= s && v.y <= s && v.z <= s && -v.x <= s && -v.y <= s && -v.z <= s;
+}
+// |v|^2 of a vector within the sum of two radii.
+constexpr uint64_t squared_within(const Vector &v) {
+  return static_cast<uint64_t>(v.x * v.x) + static_cast<uint64_t>(v.y * v.y) + static_cast<uint64_t>(v.z * v.z);
+}
+
 enum class PairRelation { disjoint, circle, first_in_second, second_in_first };
 
 // By 64-bit arithmetic alone: radii are below 2^30, coordinates at most 2^50 in size.
@@ -30,9 +39,8 @@ constexpr PairRelation pair_relation(const LatticeBall &a, const LatticeBall &b)
   const int64_t sum = a.radius + b.radius;
   const int64_t difference = a.radius - b.radius;
   const Vector u = b.centre - a.centre;
-  if (u.x > sum || u.y > sum || u.z > sum || -u.x > sum || -u.y > sum || -u.z > sum) return PairRelation::disjoint;
-  const uint64_t U =
-      static_cast<uint64_t>(u.x * u.x) + static_cast<uint64_t>(u.y * u.y) + static_cast<uint64_t>(u.z * u.z);
+  if (!within(u, sum)) return PairRelation::disjoint;
+  const uint64_t U = squared_within(u);
   const uint64_t sum_squared = static_cast<uint64_t>(sum * sum);
   const uint64_t difference_squared = static_cast<uint64_t>(difference * difference);
   if (U > sum_squared) return PairRelation::disjoint;

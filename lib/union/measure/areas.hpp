@@ -52,8 +52,7 @@ class FreeSurface {
 // The centre of ball i relative to the centre of its component's ball of lowest rank. With this origin terms of the
 // volume do not grow with the distance to other components.
 inline Vec3 offset_from_origin(const BallSet &balls, const Boundary &boundary, uint32_t i) {
-  const uint32_t origin = boundary.component_origin(i);
-  return {balls.x[i] - balls.x[origin], balls.y[i] - balls.y[origin], balls.z[i] - balls.z[origin]};
+  return balls.difference(boundary.component_origin(i), i);
 }
 
 // One ball's term of the volume, from its radius, area and vector area.

@@ -4,6 +4,7 @@
 
 #include "exact/filter.hpp"
 #include "measure/areas.hpp"
+#include "measure/boundary_positions.hpp"
 #include "sphere/arc_geometry.hpp"
 
 namespace hsp {
@@ -58,10 +59,8 @@ class BoundaryMetricCheck {
       if (!on_the_sphere || !(std::fabs(difference) <= error_bound)) return {BoundaryInvariant::areas, i};
       volume += first.volume;
       // Another origin: the centre of the component's first ball, moved by that ball's own radius along each axis.
-      const uint32_t origin = boundary_.component_origin(i);
-      const double shift = balls_.r[origin];
-      const Vec3 arm{balls_.x[i] - balls_.x[origin] - shift, balls_.y[i] - balls_.y[origin] - shift,
-                     balls_.z[i] - balls_.z[origin] - shift};
+      const double shift = balls_.r[boundary_.component_origin(i)];
+      const Vec3 arm = offset_from_origin(balls_, boundary_, i) - Vec3{shift, shift, shift};
       second_volume += (r * r * r * second.steradians + dot(arm, second.vector_area)) / 3;
       scale += r * r * second.error_bound * (r + norm(arm));
     }
@@ -70,24 +69,15 @@ class BoundaryMetricCheck {
   }
 
  private:
-  Vec3 position(uint32_t ball, const HalfEdge &half_edge) const {
-    const exact::LatticeBall own = balls_.ball(ball);
-    return crossing_point(exact::plane_of(own, balls_.ball(half_edge.circle)),
-                          exact::plane_of(own, balls_.ball(boundary_.previous_circle(ball, half_edge))), -1,
-                          boundary_.root_discriminant(half_edge.vertex));
-  }
-
   bool lies_on_its_spheres(uint32_t ball, uint32_t u) const {
     const HalfEdge &half_edge = boundary_.half_edge(u);
-    const Vec3 x = position(ball, half_edge);
+    const Vec3 x = start_of(balls_, boundary_, ball, half_edge);
     const double r = balls_.r[ball];
     constexpr double tolerance = 0x1p-40;
     double error = norm(x) - r;
     double largest = r;
     for (const uint32_t other : {boundary_.previous_circle(ball, half_edge), half_edge.circle}) {
-      const Vec3 v{balls_.x[other] - balls_.x[ball], balls_.y[other] - balls_.y[ball],
-                   balls_.z[other] - balls_.z[ball]};
-      const double off = norm(combine(1.0, x, -1.0, v)) - balls_.r[other];
+      const double off = norm(x - balls_.difference(ball, other)) - balls_.r[other];
       if (off * off > error * error) error = off;
       if (balls_.r[other] > largest) largest = balls_.r[other];
     }
@@ -110,10 +100,10 @@ class BoundaryMetricCheck {
       const CheckCircle out(balls_, i, half_edge.circle);
       const CheckCircle in(balls_, i, boundary_.previous_circle(i, half_edge));
       // The loop runs from q to p, the arc runs counter-clockwise from p to q.
-      const Vec3 q = position(i, half_edge);
-      const Vec3 p = position(i, end);
-      const Vec3 to_q = combine(1.0, q, -1.0, out.centre);
-      const Vec3 to_p = combine(1.0, p, -1.0, out.centre);
+      const Vec3 q = start_of(balls_, boundary_, i, half_edge);
+      const Vec3 p = start_of(balls_, boundary_, i, end);
+      const Vec3 to_q = q - out.centre;
+      const Vec3 to_p = p - out.centre;
       const double sine = dot(out.axis, cross(to_p, to_q));
       double angle = arc_tangent(sine, dot(to_p, to_q));
       if (angle < 0.0) angle += 2 * pi;

@@ -20,6 +20,13 @@ Position position_of_vertex(const BallSet &balls, const Boundary &boundary, uint
                                           boundary.root_discriminant(vertex))};
 }
 
+Vec3 start_of(const BallSet &balls, const Boundary &boundary, uint32_t ball, const HalfEdge &half_edge) {
+  const exact::LatticeBall own = balls.ball(ball);
+  return crossing_point(exact::plane_of(own, balls.ball(half_edge.circle)),
+                        exact::plane_of(own, balls.ball(boundary.previous_circle(ball, half_edge))), -1,
+                        boundary.root_discriminant(half_edge.vertex));
+}
+
 double angle_of_arc(const BallSet &balls, const Boundary &boundary, uint32_t half_edge) {
   const uint32_t own = boundary.ball_of(half_edge);
   const uint32_t other = boundary.half_edge(half_edge).circle;

@@ -17,6 +17,9 @@ void to_coordinates(const BallSet &balls, const Position &position, double xyz[3
 
 Position position_of_vertex(const BallSet &balls, const Boundary &boundary, uint32_t vertex);
 
+// The point where a half-edge of a ball starts, relative to the centre of that ball.
+Vec3 start_of(const BallSet &balls, const Boundary &boundary, uint32_t ball, const HalfEdge &half_edge);
+
 // The angle of a half-edge's arc, in radians. Twins have the same bits.
 double angle_of_arc(const BallSet &balls, const Boundary &boundary, uint32_t half_edge);
 

@@ -3,14 +3,6 @@
 #include "sphere/caps.hpp"
 
 namespace hsp {
-namespace {
-
-// Whether no component of v is larger than s in size. Then squares stay within their bits.
-bool within(const exact::Vector &v, int64_t s) {
-  return v.x <= s && v.y <= s && v.z <= s && -v.x <= s && -v.y <= s && -v.z <= s;
-}
-
-}  // namespace
 
 BallsThatMayMeet::BallsThatMayMeet(const CubeGrid &grid, uint32_t i) {
   if (const RadiusLevels *const levels = grid.levels()) {
@@ -33,7 +25,7 @@ bool InnerTouch::is_free_with(uint32_t outer) {
   const exact::LatticeBall own = balls_.ball(inner_), container = balls_.ball(outer);
   const int64_t D = container.radius - own.radius;
   const exact::Vector v = own.centre - container.centre;
-  if (D < 0 || !within(v, D) || dot(v, v) != D * D) return false;
+  if (D < 0 || !exact::within(v, D) || dot(v, v) != D * D) return false;
   if (D == 0) return true;  // equal balls: without a look at third ones, as there may be thousands in one place
   if (!point_is_known_) {
     point_is_known_ = true;
@@ -48,7 +40,7 @@ bool InnerTouch::no_third_covers(const exact::LatticeBall &container, const exac
   return around_.all_of([&](uint32_t k) {
     const exact::LatticeBall third = balls_.ball(k);
     const exact::Vector w = container.centre - third.centre;
-    if (!within(w, third.radius + container.radius)) return true;
+    if (!exact::within(w, third.radius + container.radius)) return true;
     const exact::Vector point{D * w.x + container.radius * v.x, D * w.y + container.radius * v.y,
                               D * w.z + container.radius * v.z};
     // The point lies exactly on the spheres of the two balls themselves, and so not in their interiors.

@@ -84,11 +84,7 @@ EdgeGeometry geometry_on_host(const BallSet &balls, const Boundary &boundary, co
   const Vec3 axis = -circle.axis;
   Vec3 from;
   if (on_arc) {
-    const HalfEdge &walk = boundary.half_edge(own_half_edge);
-    const exact::LatticeBall own = balls.ball(host.frame);
-    from = from_centre(crossing_point(exact::plane_of(own, balls.ball(walk.circle)),
-                                      exact::plane_of(own, balls.ball(boundary.previous_circle(host.frame, walk))), -1,
-                                      boundary.root_discriminant(walk.vertex)));
+    from = from_centre(start_of(balls, boundary, host.frame, boundary.half_edge(own_half_edge)));
   } else {
     // The loop of a traverses half h of a circle from its point h to the other one.
     const uint32_t start = frame_is_a ? host_id - half_edges : (host_id - half_edges) ^ 1U;

@@ -43,12 +43,9 @@ TopologyViolation check_enclosed_volumes(const BallSet &balls, const Boundary &b
     double scale = 0.0;
     visit_faces(boundary, topology, s, [&](uint32_t face) {
       const uint32_t i = boundary.face(face).ball;
-      const uint32_t origin = boundary.component_origin(i);
-      const double x = balls.x[i] - balls.x[origin];
-      const double y = balls.y[i] - balls.y[origin];
-      const double z = balls.z[i] - balls.z[origin];
+      const Vec3 arm = offset_from_origin(balls, boundary, i);
       const double r = balls.r[i];
-      scale += r * r * (r + std::sqrt(x * x + y * y + z * z));
+      scale += r * r * (r + std::sqrt(dot(arm, arm)));
     });
     constexpr double tolerance = 0x1p-40;
     const double volume = measure_shell(balls, boundary, topology, s).volume;
