@@ -60,8 +60,7 @@ class FirstHit {
     if (inside_) return {ball_, 0.0, origin_};
     const Vec3 d = exact::to_double(ray_.direction);
     const double t = exact::RayCut(ray_, balls_.ball(ball_)).entry();
-    return {ball_, t * std::sqrt(exact::wide_dot(ray_.direction, ray_.direction).to_double()),
-            combine(1.0, origin_, t, d)};
+    return {ball_, t * std::sqrt(exact::squared_length(ray_.direction).to_double()), combine(1.0, origin_, t, d)};
   }
 
  private:

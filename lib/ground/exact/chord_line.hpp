@@ -11,6 +11,7 @@
 #pragma once
 
 #include "exact/discriminant.hpp"
+#include "exact/power.hpp"
 
 namespace hsp::exact {
 
@@ -24,9 +25,9 @@ class ChordLine {
  public:
   ChordLine(const Plane &P, const Plane &Q) : u_(P.v), v_(Q.v), n_(cross(P.v, Q.v)) {
     const int64_t uv = dot(P.v, Q.v);
-    N_ = times(n_.x, n_.x) + times(n_.y, n_.y) + times(n_.z, n_.z);
-    alpha_ = times(P.h, dot(Q.v, Q.v)) - times(Q.h, uv);
-    beta_ = times(Q.h, dot(P.v, P.v)) - times(P.h, uv);
+    N_ = dot128<Limb>(n_, n_);
+    alpha_ = times<Limb>(P.h, dot(Q.v, Q.v)) - times<Limb>(Q.h, uv);
+    beta_ = times<Limb>(Q.h, dot(P.v, P.v)) - times<Limb>(P.h, uv);
   }
 
   ChordFactors factors() const {
@@ -36,14 +37,12 @@ class ChordLine {
   double parameter(const Plane &R) const {
     const auto minus_A = product<192>(N_, I64::from(R.h)) - product<192>(alpha_, I64::from(dot(u_, R.v))) -
                          product<192>(beta_, I64::from(dot(v_, R.v)));
-    const auto B = times(n_.x, R.v.x) + times(n_.y, R.v.y) + times(n_.z, R.v.z);
-    return minus_A.to_double() / B.to_double();
+    return minus_A.to_double() / dot128<Limb>(n_, R.v).to_double();
   }
 
  private:
   using I64 = WideInteger<Limb, 64>;
   using I128 = WideInteger<Limb, 128>;
-  static I128 times(int64_t a, int64_t b) { return product<128>(I64::from(a), I64::from(b)); }
 
   Vector u_, v_, n_;
   I128 alpha_, beta_, N_;

@@ -11,7 +11,7 @@
 #include "exact/exact_predicates.hpp"
 
 #include "exact/discriminant.hpp"
-#include "exact/last_amount.hpp"
+#include "exact/power.hpp"
 
 namespace hsp::exact {
 namespace {
@@ -28,8 +28,6 @@ struct Evaluation {
     I128 x, y, z;
   };
 
-  static I128 times(int64_t a, int64_t b) { return product<128>(I64::from(a), I64::from(b)); }
-  static I128 dot128(const Vector &a, const Vector &b) { return exact::dot128<Limb>(a, b); }
   // Out of line, as Growth::sign() is: most calls are for ties.
   [[gnu::noinline]] static I192 dot192(const LongVector &a, const Vector &b) {
     return product<192>(a.x, I64::from(b.x)) + product<192>(a.y, I64::from(b.y)) + product<192>(a.z, I64::from(b.z));
@@ -40,11 +38,11 @@ struct Evaluation {
   }
 
   static LongVector q_of(const Plane &P, const Plane &Q) {
-    return {times(P.h, Q.v.x) - times(Q.h, P.v.x), times(P.h, Q.v.y) - times(Q.h, P.v.y),
-            times(P.h, Q.v.z) - times(Q.h, P.v.z)};
+    return {times<Limb>(P.h, Q.v.x) - times<Limb>(Q.h, P.v.x), times<Limb>(P.h, Q.v.y) - times<Limb>(Q.h, P.v.y),
+            times<Limb>(P.h, Q.v.z) - times<Limb>(Q.h, P.v.z)};
   }
   static I192 D_of(const Sphere &sphere, const Vector &n, const LongVector &q) {
-    return product<192>(dot128(n, n), I64::from(sphere.W)) - square<192>(q);
+    return product<192>(dot128<Limb>(n, n), I64::from(sphere.W)) - square<192>(q);
   }
   // Out of line, too: it is needed only where doubles are not certain about a vertex.
   [[gnu::noinline]] static LongVector H_of(const Plane &P, const Plane &Q, const Plane &R, const Vector &n) {
@@ -53,8 +51,8 @@ struct Evaluation {
     const auto minor = [](const I128 &a, int64_t b, const I128 &c, int64_t d) {
       return product<128>(a, I64::from(b)) - product<128>(c, I64::from(d));
     };
-    return {minor(q.y, z.z, q.z, z.y) + times(R.h, n.x), minor(q.z, z.x, q.x, z.z) + times(R.h, n.y),
-            minor(q.x, z.y, q.y, z.x) + times(R.h, n.z)};
+    return {minor(q.y, z.z, q.z, z.y) + times<Limb>(R.h, n.x), minor(q.z, z.x, q.x, z.z) + times<Limb>(R.h, n.y),
+            minor(q.x, z.y, q.y, z.x) + times<Limb>(R.h, n.z)};
   }
   static I256 F_of(const Sphere &sphere, const LongVector &H, const I128 &B) {
     return product<256>(product<192>(B, B), I64::from(sphere.W)) - square<256>(H);
@@ -133,7 +131,7 @@ WideInteger<Limb, 192> to_192_bits(const WideInteger<Limb, 128> &value) {
 // The change as a ball grows; it is needed for ties alone.
 template <class Limb>
 [[gnu::noinline]] WideInteger<Limb, 192> rate(const Vector &a, const Vector &b) {
-  return to_192_bits(Evaluation<Limb>::dot128(a, b));
+  return to_192_bits(dot128<Limb>(a, b));
 }
 
 }  // namespace
@@ -149,7 +147,7 @@ Sign ExactPredicates<Limb>::crossing(const Sphere &sphere, const Plane &P, const
   if (value != 0) return {value, false};
 
   // Half of dD/dw: alpha = q.v for P, beta = -q.u for Q, 2N if all grow alike.
-  Growth<Limb> growth(sphere, product<192>(E::dot128(n, n), E::I64::from(2)));
+  Growth<Limb> growth(sphere, product<192>(dot128<Limb>(n, n), E::I64::from(2)));
   growth.add(P, E::dot192(q, Q.v));
   growth.add(Q, -E::dot192(q, P.v));
   const int derivative = growth.sign(0);
@@ -158,15 +156,14 @@ Sign ExactPredicates<Limb>::crossing(const Sphere &sphere, const Plane &P, const
 
 template <class Limb>
 Sign ExactPredicates<Limb>::side(const Sphere &sphere, const Plane &P, const Plane &R) {
-  using E = Evaluation<Limb>;
   // beta = h_R u.u - h_P u.z < 0 iff the centre of circle P lies inside R.
   const int64_t uu = dot(P.v, P.v);
   const int64_t uz = dot(P.v, R.v);
-  const int value = (E::times(R.h, uu) - E::times(P.h, uz)).sign();
+  const int value = (times<Limb>(R.h, uu) - times<Limb>(P.h, uz)).sign();
   if (value != 0) return {-value, false};
   Growth<Limb> growth(sphere, {});
-  growth.add(P, to_192_bits(E::times(uz, 1)));
-  growth.add(R, -to_192_bits(E::times(uu, 1)));
+  growth.add(P, to_192_bits(times<Limb>(uz, 1)));
+  growth.add(R, -to_192_bits(times<Limb>(uu, 1)));
   return {-growth.sign(), true};
 }
 
@@ -175,7 +172,7 @@ PointStatus ExactPredicates<Limb>::point_status(const Sphere &sphere, const Plan
   using E = Evaluation<Limb>;
   const Vector n = cross(P.v, Q.v);
   const auto H = E::H_of(P, Q, R, n);
-  const auto B = E::dot128(n, R.v);
+  const auto B = dot128<Limb>(n, R.v);
   const int sign_B = B.sign();
   const Vector qr = cross(Q.v, R.v);
   const Vector rp = cross(R.v, P.v);
@@ -219,7 +216,7 @@ template <class Limb>
   using E = Evaluation<Limb>;
   const Vector n = cross(P.v, Q.v);
   const auto H = E::H_of(P, Q, R, n);
-  const auto B = E::dot128(n, R.v);
+  const auto B = dot128<Limb>(n, R.v);
   const int sign_B = B.sign();
   const int value = (product<192>(B, E::I64::from(S.h)) - E::dot192(H, S.v)).sign();
   if (value != 0) return {value * sign_B, false};
@@ -240,40 +237,37 @@ double ExactPredicates<Limb>::discriminant(const Sphere &sphere, const Plane &P,
 
 template <class Limb>
 double ExactPredicates<Limb>::radical_coordinate(const Plane &P, const Plane &R) {
-  using E = Evaluation<Limb>;
-  return (E::times(R.h, dot(P.v, P.v)) - E::times(P.h, dot(P.v, R.v))).to_double();
+  return (times<Limb>(R.h, dot(P.v, P.v)) - times<Limb>(P.h, dot(P.v, R.v))).to_double();
 }
 
 template <class Limb>
 double ExactPredicates<Limb>::circle_discriminant(const Sphere &sphere, const Plane &P) {
-  using E = Evaluation<Limb>;
-  return (E::times(sphere.W, dot(P.v, P.v)) - E::times(P.h, P.h)).to_double();
+  return (times<Limb>(sphere.W, dot(P.v, P.v)) - times<Limb>(P.h, P.h)).to_double();
 }
 
 template <class Limb>
 double ExactPredicates<Limb>::exterior_cosine(const Sphere &sphere, const Plane &P, const Plane &Q) {
-  using E = Evaluation<Limb>;
-  return (E::times(sphere.W, dot(P.v, Q.v)) - E::times(P.h, Q.h)).to_double();
+  return (times<Limb>(sphere.W, dot(P.v, Q.v)) - times<Limb>(P.h, Q.h)).to_double();
 }
 
 template <class Limb>
 double ExactPredicates<Limb>::triple_product(const Vector &u, const Vector &v, const Vector &z) {
-  return Evaluation<Limb>::dot128(cross(u, v), z).to_double();
+  return dot128<Limb>(cross(u, v), z).to_double();
 }
 
 template <class Limb>
 int ExactPredicates<Limb>::triple_product_sign(const Vector &u, const Vector &v, const Vector &z) {
-  return Evaluation<Limb>::dot128(cross(u, v), z).sign();
+  return dot128<Limb>(cross(u, v), z).sign();
 }
 
 template <class Limb>
 double ExactPredicates<Limb>::cross_dot_cross(const Vector &u, const Vector &v, const Vector &z) {
-  return Evaluation<Limb>::dot128(cross(u, v), cross(u, z)).to_double();
+  return dot128<Limb>(cross(u, v), cross(u, z)).to_double();
 }
 
 template <class Limb>
 int ExactPredicates<Limb>::cross_dot_cross_sign(const Vector &u, const Vector &v, const Vector &z) {
-  return Evaluation<Limb>::dot128(cross(u, v), cross(u, z)).sign();
+  return dot128<Limb>(cross(u, v), cross(u, z)).sign();
 }
 
 // Cold: for vertices and arcs that doubles do not serve.

@@ -1,5 +1,5 @@
-// The power of a point to a sphere, |d|^2 - r^2 with d from the centre to the point: negative inside, positive outside.
-// Exact for |d_k|, r < 2^62.
+// Quadratic forms of integer vectors, in 128 bits. Exact if no component and no radius is 2^62 or more in size, and the
+// result has room.
 #pragma once
 
 #include "exact/plane.hpp"
@@ -7,17 +7,31 @@
 
 namespace hsp::exact {
 
-inline WideInteger<FastLimb, 128> square(int64_t a) {
-  const auto wide = WideInteger<FastLimb, 64>::from(a);
-  return product<128>(wide, wide);
+template <class Limb>
+WideInteger<Limb, 128> times(int64_t a, int64_t b) {
+  return product<128>(WideInteger<Limb, 64>::from(a), WideInteger<Limb, 64>::from(b));
+}
+
+template <class Limb>
+WideInteger<Limb, 128> dot128(const Vector &a, const Vector &b) {
+  return times<Limb>(a.x, b.x) + times<Limb>(a.y, b.y) + times<Limb>(a.z, b.z);
 }
 
 inline WideInteger<FastLimb, 128> squared_length(const Vector &d) {
-  return square(d.x) + square(d.y) + square(d.z);
+  return dot128<FastLimb>(d, d);
 }
 
+// The power of a point to a sphere, |d|^2 - r^2 with d from the centre to the point: negative inside, positive outside.
 inline WideInteger<FastLimb, 128> power(const Vector &d, int64_t radius) {
-  return squared_length(d) - square(radius);
+  return squared_length(d) - times<FastLimb>(radius, radius);
+}
+
+// M of a centre relative to the origin ball: the form by which balls grow at the last level of the symbolic
+// perturbation but the ranks (PROOFS.md, section 3).
+template <class Limb>
+WideInteger<Limb, 128> last_amount(const Vector &v) {
+  const auto &[x, y, z] = v;
+  return dot128<Limb>({1009 * x + 757 * y + 499 * z, 331 * y + 211 * z, 113 * z}, v);
 }
 
 }  // namespace hsp::exact

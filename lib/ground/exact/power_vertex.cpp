@@ -6,7 +6,7 @@
 // quadratic form.
 #include "exact/power_vertex.hpp"
 
-#include "exact/last_amount.hpp"
+#include "exact/power.hpp"
 #include "lanes/floating_point.hpp"
 
 namespace hsp::exact {
@@ -46,11 +46,9 @@ template <class Limb>
 
 template <class Limb>
 WideInteger<Limb, 128> PowerVertexOf<Limb>::change_of(int level, const Plane &plane) {
-  using I64 = WideInteger<Limb, 64>;
-  const I64 one = I64::from(1);
-  if (level == 0) return product<128>(I64::from(plane.h), one);
+  if (level == 0) return times<Limb>(plane.h, 1);
   if (plane.perturbed == 0) return {};
-  if (level == 1) return product<128>(I64::from(plane.h - dot(plane.v, plane.v)), one);
+  if (level == 1) return times<Limb>(plane.h - dot(plane.v, plane.v), 1);
   return -last_amount<Limb>(plane.v);
 }
 

@@ -10,9 +10,8 @@
 // 153, and it enters at t = 13 - sqrt(169 - 153) = 9.
 #pragma once
 
-#include "core/small_code.hpp"
 #include "exact/lattice_ball.hpp"
-#include "exact/wide_integer.hpp"
+#include "exact/power.hpp"
 #include "lanes/floating_point.hpp"
 
 namespace hsp::exact {
@@ -25,13 +24,6 @@ struct LatticeRay {
 using Integer128 = WideInteger<FastLimb, 128>;
 using Integer256 = WideInteger<FastLimb, 256>;
 
-HSP_INLINE_UNLESS_SMALL inline Integer128 wide_dot(const Vector &a, const Vector &b) {
-  using Integer64 = WideInteger<FastLimb, 64>;
-  return product<128>(Integer64::from(a.x), Integer64::from(b.x)) +
-         product<128>(Integer64::from(a.y), Integer64::from(b.y)) +
-         product<128>(Integer64::from(a.z), Integer64::from(b.z));
-}
-
 // How a ray's line lies to a ball.
 struct RayCut {
   Integer128 along;         // B
@@ -40,9 +32,9 @@ struct RayCut {
 
   RayCut(const LatticeRay &ray, const LatticeBall &ball) {
     const Vector u = ball.centre - ray.origin;
-    along = wide_dot(u, ray.direction);
-    power = wide_dot(u, u) - Integer128::from(ball.radius * ball.radius);
-    discriminant = product<256>(along, along) - product<256>(wide_dot(ray.direction, ray.direction), power);
+    along = dot128<FastLimb>(u, ray.direction);
+    power = exact::power(u, ball.radius);
+    discriminant = product<256>(along, along) - product<256>(squared_length(ray.direction), power);
   }
 
   // Whether the ray meets the closed ball, if its origin lies outside.

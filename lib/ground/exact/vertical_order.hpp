@@ -3,7 +3,7 @@
 #pragma once
 
 #include "exact/lattice_ball.hpp"
-#include "exact/wide_integer.hpp"
+#include "exact/power.hpp"
 
 namespace hsp::exact {
 
@@ -12,9 +12,7 @@ inline int sign_with_root(int64_t E, int64_t T, int64_t b) {
   const int sign_E = (E > 0) - (E < 0);
   const int sign_T = b == 0 ? 0 : (T > 0) - (T < 0);
   if (sign_E == 0 || sign_T == 0 || sign_E == sign_T) return sign_E != 0 ? sign_E : sign_T;
-  using I64 = WideInteger<FastLimb, 64>;
-  const auto squared = product<128>(I64::from(E), I64::from(E)) - product<128>(I64::from(T * T), I64::from(b));
-  return sign_E * squared.sign();
+  return sign_E * (times<FastLimb>(E, E) - times<FastLimb>(T * T, b)).sign();
 }
 
 // Sign of (z_a - sqrt(a)) - (z_b - sqrt(b)) for z = z_a - z_b, |z| <= 2^51 and 0 <= a, b < 2^60.

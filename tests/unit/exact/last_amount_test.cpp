@@ -1,5 +1,5 @@
 // The quadratic form of the last amount against one of 128 bits, up to the largest vectors, with both limb widths.
-#include "exact/last_amount.hpp"
+#include "exact/power.hpp"
 
 #include <gtest/gtest.h>
 
