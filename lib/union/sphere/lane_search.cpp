@@ -6,34 +6,9 @@
 //   exposed_cap, crossed               one row each, of a number for each cap
 #include "sphere/lane_search.hpp"
 
+#include <initializer_list>
+
 namespace hsp {
-namespace {
-
-// Consecutive parts of one array.
-class Parts {
- public:
-  explicit Parts(float *first, uint32_t size) : next_(first), size_(size) {}
-  float *take() {
-    float *const part = next_;
-    if (part != nullptr) next_ += size_;
-    return part;
-  }
-
- private:
-  float *next_;
-  uint32_t size_;
-};
-
-FloatCaps take_caps(Parts &parts) {
-  FloatCaps caps;
-  caps.x = parts.take();
-  caps.y = parts.take();
-  caps.z = parts.take();
-  caps.b = parts.take();
-  return caps;
-}
-
-}  // namespace
 
 uint32_t SearchInLanes::count_few_clusters(Target target, const BallSet &balls, uint32_t i, const uint32_t *others,
                                            uint32_t n) {
@@ -54,14 +29,19 @@ void SearchInLanes::carve(Workspace &workspace, uint32_t neighbours) {
   // Rows of whole vectors.
   const uint32_t row = (neighbours + FloatCaps::spare + 7) / 8 * 8;
   rows_ = workspace.take<float>(18 * static_cast<uint64_t>(row));
-  Parts floats_of_caps(rows_.data(), row);
-  sweep_.caps = take_caps(floats_of_caps);
-  sweep_.by_size = take_caps(floats_of_caps);
-  sweep_.large = take_caps(floats_of_caps);
-  sweep_.exposed = take_caps(floats_of_caps);
-  sweep_.exposed_cap = floats_of_caps.take();
-  sweep_.crossed = floats_of_caps.take();
   uncrossed_ = workspace.take<uint32_t>(neighbours);
+  if (rows_.empty()) return;
+  float *next = rows_.data();
+  const auto take = [&next, row] {
+    float *const first = next;
+    next += row;
+    return first;
+  };
+  for (FloatCaps *const caps : {&sweep_.caps, &sweep_.by_size, &sweep_.large, &sweep_.exposed}) {
+    *caps = {take(), take(), take(), take()};
+  }
+  sweep_.exposed_cap = take();
+  sweep_.crossed = take();
 }
 
 Span<uint32_t> SearchInLanes::take_candidates(Workspace &workspace, uint32_t neighbours) {
