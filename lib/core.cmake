@@ -14,7 +14,6 @@ hsp_part(balls
     model/cube_grid.cpp
     model/cube_index.cpp
     model/digit_sort.cpp
-    model/grid_order.cpp
     model/halo.cpp
     model/meeting.cpp
     model/ordered_balls.cpp
