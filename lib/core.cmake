@@ -62,7 +62,6 @@ hsp_part(union
     boundary/boundary_worker.cpp
     boundary/components.cpp
     boundary/faces.cpp
-    boundary/shells.cpp
     measure/arc_batches.cpp
     measure/arc_sums.kernel.cpp
     measure/areas.cpp

@@ -10,8 +10,6 @@
 //   numbering      shells, and components of balls
 #include "boundary/boundary_builder.hpp"
 
-#include "boundary/components.hpp"
-
 namespace hsp {
 namespace {
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "boundary/boundary_worker.hpp"
-#include "boundary/shells.hpp"
+#include "boundary/components.hpp"
 #include "core/executor.hpp"
 #include "core/shared_disjoint_sets.hpp"
 

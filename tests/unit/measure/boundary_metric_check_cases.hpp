@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <limits>
 
-#include "boundary/shells.hpp"
+#include "boundary/components.hpp"
 #include "measure/boundary_metric_check.hpp"
 #include "small_scenes.hpp"
 
