@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/executor.hpp"
-#include "core/term_ranges.hpp"
+#include "core/summation.hpp"
 
 namespace hsp {
 

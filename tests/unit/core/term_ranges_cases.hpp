@@ -3,7 +3,6 @@
 
 #include "cases.hpp"
 #include "core/summation.hpp"
-#include "core/term_ranges.hpp"
 
 namespace cases {
 
