@@ -57,12 +57,6 @@ struct Doubles {
   Word::Real v;
 
   static Doubles load(const double *p) { return {Word::load(p)}; }
-  // The first `count` of two numbers, and zeros behind them, for the end of an array.
-  static Doubles load_first(const double *p, uint32_t count) {
-    if (count >= lanes) return load(p);
-    return {Word::Real{count > 0 ? *p : 0.0, 0.0}};
-  }
-  static Doubles at(const double *p, const uint32_t *index) { return {Word::Real{p[index[0]], p[index[1]]}}; }
   static Doubles all(double x) { return {Word::all(x)}; }
   static Doubles all_of(const double *p) { return {Word::all(*p)}; }
 

@@ -62,17 +62,7 @@ struct Doubles {
   __m256d v;
 
   static Doubles load(const double *p) { return {_mm256_loadu_pd(p)}; }
-  // The first `count` of four numbers, and zeros behind them, for the end of an array.
-  static Doubles load_first(const double *p, uint32_t count) {
-    const __m256i chosen = _mm256_cmpgt_epi64(_mm256_set1_epi64x(count), _mm256_setr_epi64x(0, 1, 2, 3));
-    return {_mm256_maskload_pd(p, chosen)};
-  }
-  // The numbers at four indices.
-  static Doubles at(const double *p, const uint32_t *index) {
-    return {_mm256_setr_pd(p[index[0]], p[index[1]], p[index[2]], p[index[3]])};
-  }
   static Doubles all(double x) { return {_mm256_set1_pd(x)}; }
-  static Doubles of(double a, double b, double c, double d) { return {_mm256_setr_pd(a, b, c, d)}; }
   static Doubles ascending() { return {_mm256_setr_pd(0, 1, 2, 3)}; }
   static Doubles all_of(const double *p) { return {_mm256_broadcast_sd(p)}; }
   void store(double *p) const { _mm256_storeu_pd(p, v); }
@@ -190,9 +180,6 @@ inline Doubles larger(Doubles a, Doubles b) {
 inline Floats smaller(Floats a, Floats b) {
   return {_mm256_min_ps(a.v, b.v)};
 }
-inline Doubles smaller(Doubles a, Doubles b) {
-  return {_mm256_min_pd(a.v, b.v)};
-}
 inline double first(Doubles a) {
   return _mm256_cvtsd_f64(a.v);
 }
@@ -291,18 +278,8 @@ inline Integers upper_halves(Doubles low, Doubles high) {
 }
 
 // By the sign bit: true for -0.
-inline LaneBits negative(Doubles a) {
-  return static_cast<LaneBits>(_mm256_movemask_pd(a.v));
-}
 inline LaneBits negative(Floats a) {
   return static_cast<LaneBits>(_mm256_movemask_ps(a.v));
-}
-// The sign bit is set where a or b is negative, or where both are.
-inline Floats either_negative(Floats a, Floats b) {
-  return {_mm256_or_ps(a.v, b.v)};
-}
-inline Floats both_negative(Floats a, Floats b) {
-  return {_mm256_and_ps(a.v, b.v)};
 }
 inline Floats magnitude(Floats a) {
   return {_mm256_andnot_ps(_mm256_set1_ps(-0.0F), a.v)};
@@ -311,9 +288,6 @@ inline Floats magnitude(Floats a) {
 inline Floats with_sign_of(Floats size, Floats sign) {
   const __m256 bit = _mm256_set1_ps(-0.0F);
   return {_mm256_or_ps(_mm256_andnot_ps(bit, size.v), _mm256_and_ps(bit, sign.v))};
-}
-inline Doubles magnitude(Doubles a) {
-  return {_mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v)};
 }
 
 template <>
