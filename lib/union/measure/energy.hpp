@@ -164,8 +164,8 @@ bool sum_energy(const Executor &executor, uint32_t balls, const exact::Lattice &
   return each;
 }
 
-// Calls `sink` as differentiate_balls() does for all balls, by the tasks of the executor, and finds the energy. False if
-// the executor fails.
+// Calls `sink` as differentiate_balls() does for all balls, by the tasks of the executor, and finds the energy. False
+// if the executor fails.
 template <class Sink>
 bool differentiate_energy(const Executor &executor, const CubeGrid &grid, const Boundary &boundary,
                           const EnergyTerms &terms, Energy &energy, Sink sink) {

@@ -44,5 +44,4 @@ void visit_in_input_order(const CubeGrid &grid, const Boundary &boundary, IdRang
   }
 }
 
-
 }  // namespace hsp

@@ -1,6 +1,6 @@
-// Finds for every half-edge of one sphere the half-edge that follows it, the one that starts where it ends. Several arcs
-// on one circle are distinguished by the order of the mid-points of the covered arcs: a loop runs clockwise, so the free
-// arc that it enters at the entry of cap R ends at the exit that comes last before R, counter-clockwise.
+// Finds for every half-edge of one sphere the half-edge that follows it, the one that starts where it ends. Several
+// arcs on one circle are distinguished by the order of the mid-points of the covered arcs: a loop runs clockwise, so
+// the free arc that it enters at the entry of cap R ends at the exit that comes last before R, counter-clockwise.
 //
 // Each circle has two words of bits. A half-edge has a bit in the word `leaving` of its own circle, and one in the word
 // `arriving` of its previous circle, along which its loop arrives at the vertex where it starts. So nearly every
