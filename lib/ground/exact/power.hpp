@@ -8,7 +8,7 @@
 namespace hsp::exact {
 
 template <class Limb>
-WideInteger<Limb, 128> times(int64_t a, int64_t b) {
+inline WideInteger<Limb, 128> times(int64_t a, int64_t b) {
   return product<128>(WideInteger<Limb, 64>::from(a), WideInteger<Limb, 64>::from(b));
 }
 
@@ -18,7 +18,7 @@ WideInteger<Limb, 128> dot128(const Vector &a, const Vector &b) {
 }
 
 inline WideInteger<FastLimb, 128> squared_length(const Vector &d) {
-  return dot128<FastLimb>(d, d);
+  return times<FastLimb>(d.x, d.x) + times<FastLimb>(d.y, d.y) + times<FastLimb>(d.z, d.z);
 }
 
 // The power of a point to a sphere, |d|^2 - r^2 with d from the centre to the point: negative inside, positive outside.
