@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Holds mutations.txt against the code, and results.csv and survivors.txt against mutations.txt. Builds nothing.
+# Holds mutations.txt and the lists of explained exceptions against the code, and results.csv and survivors.txt against
+# mutations.txt. Builds nothing.
 #   fits_the_code.sh SOURCE-FOLDER
 set -euo pipefail
 source=$1
@@ -20,4 +21,16 @@ if grep -nvE '^(name,verdict,test|[a-z][0-9]{2,3},(killed,[a-z0-9_]+|survived,))
   echo "results.csv: neither killed nor survived"
   status=1
 fi
+
+# What is explained as an exception stands in the code, whatever its white space.
+stands() { # list, what separates the file, the text and the rest
+  awk -F "$2" -v root="$source/" -v list="$1" '
+    /^#/ { next }
+    !($1 in code) { while ((getline line <(root $1)) > 0) code[$1] = code[$1] line; gsub(/[ \t]/, "", code[$1]) }
+    { text = $2; gsub(/[ \t]/, "", text) }
+    !index(code[$1], text) { print list ": " $1 " does not have " $2; status = 1 }
+    END { exit status }' "$source/tests/$1" || status=1
+}
+stands coverage/conditions.txt ' [|] '
+stands mutation/drawn/explained.txt '\t'
 exit $status
