@@ -4,7 +4,7 @@
 #   standard_headers.sh SOURCE-FOLDER
 set -euo pipefail
 cd "$1"
-allowed='bit|cfloat|cmath|cstddef|cstdint|cstring|initializer_list|limits|new|type_traits|utility'
+allowed='bit|cfloat|cmath|compare|cstddef|cstdint|cstring|initializer_list|limits|new|type_traits|utility'
 
 # The compiler's own, for code beyond the target's baseline (lib/ground/lanes/target.hpp).
 allowed+='|arm_neon.h|cpuid.h|emmintrin.h|immintrin.h|smmintrin.h|tmmintrin.h|wasm_simd128.h'

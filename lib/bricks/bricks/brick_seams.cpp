@@ -42,12 +42,7 @@ class SeamCurves {
     uint32_t ball[3];
     int sign;
 
-    bool is_before(const Name &other) const {
-      for (uint32_t k = 0; k < 3; ++k) {
-        if (ball[k] != other.ball[k]) return ball[k] < other.ball[k];
-      }
-      return sign < other.sign;
-    }
+    auto operator<=>(const Name &) const = default;
   };
   Name name_of(uint32_t v) const {
     const BallSet &balls = model_.balls();
@@ -76,7 +71,7 @@ class SeamCurves {
     for (uint32_t e = first; e != no_id && !has_passed(e);) {
       pass(e);
       const uint32_t end = boundary_.end_vertex(e), third = third_ball(end, ball, boundary_.half_edge(e).circle);
-      if (const Name name = name_of(end); name.is_before(lowest)) lowest = name;
+      if (const Name name = name_of(end); name < lowest) lowest = name;
       // The next arc lies on the third ball, along the same circle, or on the same ball.
       if (model_.owns(third)) {
         e = boundary_.half_edge_at(end, boundary_.vertex(end).slot_of(third));

@@ -149,13 +149,13 @@ void BrickSummary::add_face(uint32_t ball, uint32_t face, bool is_only_one) {
   sum_.component = component_[boundary.component(ball)];
   ++sum_.faces;
   sum_.loops += loops;
-  add_to(sum_.area, area);
-  add_to(draft_.header.totals.area, area);
-  add_to(sum_.radial, times(area, own.radius));
+  sum_.area = sum_.area + area;
+  draft_.header.totals.area = draft_.header.totals.area + area;
+  sum_.radial = sum_.radial + times(area, own.radius);
   for (uint32_t k = 0; k < 3; ++k) {
     const AreaSum rounded = quantum_.round(normal[k]);
-    add_to(sum_.normal[k], rounded);
-    add_to(sum_.moment, times(rounded, centre[k]));
+    sum_.normal[k] = sum_.normal[k] + rounded;
+    sum_.moment = sum_.moment + times(rounded, centre[k]);
     low[k] = centre[k] - own.radius;
     high[k] = centre[k] + own.radius;
   }

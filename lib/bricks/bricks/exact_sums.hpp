@@ -13,13 +13,6 @@ namespace hsp {
 using AreaSum = exact::WideInteger<exact::FastLimb, 128>;
 using VolumeSum = exact::WideInteger<exact::FastLimb, 192>;
 
-inline void add_to(AreaSum &sum, const AreaSum &term) {
-  sum = sum + term;
-}
-inline void add_to(VolumeSum &sum, const VolumeSum &term) {
-  sum = sum + term;
-}
-
 // An area times a length in steps.
 inline VolumeSum times(const AreaSum &area, int64_t length) {
   return exact::product<192>(area, exact::WideInteger<exact::FastLimb, 64>::from(length));

@@ -1,5 +1,6 @@
 #include "bricks/summary_block.hpp"
 
+#include "core/first_index.hpp"
 #include "lanes/floating_point.hpp"
 
 namespace hsp {
@@ -7,13 +8,13 @@ namespace {
 
 // Whether each seam joins one brick that is in the summary and one that is not, and has a valid label; and names
 // ascend.
-template <class SeamAt>
-bool are_seams(const SummaryBlock &block, uint32_t count, uint32_t labels, SeamAt seam_at) {
+template <class Record>
+bool are_seams(const SummaryBlock &block, uint32_t labels) {
   Seam before;
-  for (uint32_t k = 0; k < count; ++k) {
-    const Seam seam = seam_at(k);
+  for (uint32_t k = 0; k < block.header().seams<Record>(); ++k) {
+    const Seam seam = block.get<Record>(k);
     if (seam.label >= labels || seam.a >= seam.b || seam.b >= block.header().all_bricks) return false;
-    if (k > 0 && !before.is_before(seam)) return false;
+    if (k > 0 && !(before < seam)) return false;
     if (block.has(seam.a) == block.has(seam.b)) return false;
     before = seam;
   }
@@ -32,14 +33,7 @@ uint64_t check_sum(const uint8_t *bytes, uint64_t count) {
 }
 
 bool SummaryBlock::has(uint32_t wanted) const {
-  uint32_t first = 0, last = header_.bricks;
-  while (first < last) {
-    const uint32_t middle = first + (last - first) / 2;
-    if (brick(middle) < wanted)
-      first = middle + 1;
-    else
-      last = middle;
-  }
+  const uint32_t first = first_index(0, header_.bricks, [&](uint32_t k) { return brick(k) >= wanted; });
   return first < header_.bricks && brick(first) == wanted;
 }
 
@@ -69,9 +63,7 @@ bool SummaryBlock::is_sound() const {
     const uint32_t top = component(k).top_piece;
     if (top != no_id && (top >= header_.pieces || piece(top).component != k)) return false;
   }
-  return are_seams(*this, header_.shell_seams, header_.pieces, [this](uint32_t k) { return shell_seam(k); }) &&
-         are_seams(*this, header_.component_seams, header_.components,
-                   [this](uint32_t k) { return component_seam(k); });
+  return are_seams<ShellSeam>(*this, header_.pieces) && are_seams<ComponentSeam>(*this, header_.components);
 }
 
 }  // namespace hsp

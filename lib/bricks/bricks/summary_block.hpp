@@ -6,6 +6,8 @@
 // Bricks ascend, and so do seams, by their names; each name is there once.
 #pragma once
 
+#include <type_traits>
+
 #include "bricks/summary_records.hpp"
 
 namespace hsp {
@@ -48,6 +50,19 @@ struct SummaryHeader {
   uint64_t component_seams_at() const { return shell_seams_at() + uint64_t{little_bytes<ShellSeam>} * shell_seams; }
   uint64_t check_at() const { return component_seams_at() + uint64_t{little_bytes<ComponentSeam>} * component_seams; }
   uint64_t bytes() const { return check_at() + sizeof(uint64_t); }
+  // The offset of record k of the list of its kind, and how many seams of a kind there are.
+  template <class Record>
+  uint64_t at(uint32_t k) const {
+    const uint64_t list = std::is_same_v<Record, ShellPiece>      ? pieces_at()
+                          : std::is_same_v<Record, ComponentPart> ? components_at()
+                          : std::is_same_v<Record, ShellSeam>     ? shell_seams_at()
+                                                                  : component_seams_at();
+    return list + uint64_t{little_bytes<Record>} * k;
+  }
+  template <class Record>
+  uint32_t seams() const {
+    return std::is_same_v<Record, ShellSeam> ? shell_seams : component_seams;
+  }
 };
 
 // The check sum of bytes, a multiple of 4. A change of one number of 4 bytes always changes it.
@@ -66,22 +81,16 @@ class SummaryBlock {
   SummaryFault read(const uint8_t *bytes, uint64_t count);
 
   const SummaryHeader &header() const { return header_; }
-  uint32_t brick(uint32_t k) const { return load_little<uint32_t>(at<uint32_t>(header_.bricks_at(), k)); }
-  ShellPiece piece(uint32_t k) const { return record<ShellPiece>(header_.pieces_at(), k); }
-  ComponentPart component(uint32_t k) const { return record<ComponentPart>(header_.components_at(), k); }
-  ShellSeam shell_seam(uint32_t k) const { return record<ShellSeam>(header_.shell_seams_at(), k); }
-  ComponentSeam component_seam(uint32_t k) const { return record<ComponentSeam>(header_.component_seams_at(), k); }
+  uint32_t brick(uint32_t k) const { return load_little<uint32_t>(bytes_ + header_.bricks_at() + 4 * uint64_t{k}); }
+  template <class Record>
+  Record get(uint32_t k) const {
+    return load_record<Record>(bytes_ + header_.at<Record>(k));
+  }
+  ShellPiece piece(uint32_t k) const { return get<ShellPiece>(k); }
+  ComponentPart component(uint32_t k) const { return get<ComponentPart>(k); }
   bool has(uint32_t wanted) const;
 
  private:
-  template <class Integer>
-  const uint8_t *at(uint64_t list, uint32_t k) const {
-    return bytes_ + list + uint64_t{sizeof(Integer)} * k;
-  }
-  template <class Record>
-  Record record(uint64_t list, uint32_t k) const {
-    return load_record<Record>(bytes_ + list + uint64_t{little_bytes<Record>} * k);
-  }
   bool is_sound() const;
 
   const uint8_t *bytes_ = nullptr;

@@ -20,7 +20,7 @@ template <class Record>
 void sort_records(uint8_t *first, uint32_t count) {
   sort_in_place(Span<Bytes<Record>>(reinterpret_cast<Bytes<Record> *>(first), count),
                 [](const Bytes<Record> &a, const Bytes<Record> &b) {
-                  return load_record<Record>(a.byte).is_before(load_record<Record>(b.byte));
+                  return load_record<Record>(a.byte) < load_record<Record>(b.byte);
                 });
 }
 
@@ -42,10 +42,10 @@ void SummaryDraft::mark_open(Span<uint32_t> of_piece, Span<uint32_t> of_componen
   for (uint32_t &state : of_piece) state = header.keeps() ? is_open : 0;
   for (uint32_t &state : of_component) state = header.keeps() ? is_open : 0;
   for (uint32_t k = 0; k < header.shell_seams; ++k) {
-    of_piece[load_record<ShellSeam>(seam_at<ShellSeam>(header.shell_seams_at(), k)).label] |= is_open;
+    of_piece[get<ShellSeam>(k).label] |= is_open;
   }
   for (uint32_t k = 0; k < header.component_seams; ++k) {
-    of_component[load_record<ComponentSeam>(seam_at<ComponentSeam>(header.component_seams_at(), k)).label] |= is_open;
+    of_component[get<ComponentSeam>(k).label] |= is_open;
   }
   for (uint32_t k = 0; k < header.components; ++k) {
     const uint32_t top = component(k).top_piece;
@@ -86,8 +86,7 @@ bool SummaryDraft::move_components(uint32_t pieces, Span<const uint32_t> of_piec
       ++header.totals.components;
       continue;
     }
-    auto part =
-        load_record<ComponentPart>(memory_ + before.components_at() + uint64_t{little_bytes<ComponentPart>} * k);
+    auto part = load_record<ComponentPart>(memory_ + before.at<ComponentPart>(k));
     if (part.top_piece != no_id) part.top_piece = of_piece[part.top_piece];
     put(header.components++, part);
   }
@@ -105,11 +104,11 @@ bool SummaryDraft::move_components(uint32_t pieces, Span<const uint32_t> of_piec
 }
 
 template <class Record>
-void SummaryDraft::move_seams(uint64_t from, uint64_t to, uint32_t count, Span<const uint32_t> label) {
-  for (uint32_t k = 0; k < count; ++k) {
-    Record seam = load_record<Record>(seam_at<Record>(from, k));
+void SummaryDraft::move_seams(const SummaryHeader &before, Span<const uint32_t> label) {
+  for (uint32_t k = 0; k < header.seams<Record>(); ++k) {
+    Record seam = load_record<Record>(memory_ + before.at<Record>(k));
     seam.label = label[seam.label];
-    store_record(seam, seam_at<Record>(to, k));
+    put(k, seam);
   }
 }
 
@@ -118,9 +117,8 @@ bool SummaryDraft::finish(Span<uint32_t> of_piece, Span<uint32_t> of_component) 
   mark_open(of_piece, of_component);
   const uint32_t pieces = add_up_pieces(of_piece, of_component);
   if (!move_components(pieces, of_piece, of_component)) return false;
-  move_seams<ShellSeam>(before.shell_seams_at(), header.shell_seams_at(), header.shell_seams, of_piece);
-  move_seams<ComponentSeam>(before.component_seams_at(), header.component_seams_at(), header.component_seams,
-                            of_component);
+  move_seams<ShellSeam>(before, of_piece);
+  move_seams<ComponentSeam>(before, of_component);
   store_record(header, memory_);
   store_little(check_sum(memory_, header.check_at()), memory_ + header.check_at());
   return true;

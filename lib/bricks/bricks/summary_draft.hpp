@@ -32,14 +32,16 @@ class SummaryDraft {
   SummaryHeader header;
 
   void put_brick(uint32_t k, uint32_t brick) { store_little(brick, memory_ + header.bricks_at() + 4 * uint64_t{k}); }
-  ShellPiece piece(uint32_t k) const { return load_record<ShellPiece>(piece_at(k)); }
-  void put(uint32_t k, const ShellPiece &piece) { store_record(piece, piece_at(k)); }
-  ComponentPart component(uint32_t k) const { return load_record<ComponentPart>(component_at(k)); }
-  void put(uint32_t k, const ComponentPart &part) { store_record(part, component_at(k)); }
-  void put(uint32_t k, const ShellSeam &seam) { store_record(seam, seam_at<ShellSeam>(header.shell_seams_at(), k)); }
-  void put(uint32_t k, const ComponentSeam &seam) {
-    store_record(seam, seam_at<ComponentSeam>(header.component_seams_at(), k));
+  template <class Record>
+  Record get(uint32_t k) const {
+    return load_record<Record>(memory_ + header.at<Record>(k));
   }
+  template <class Record>
+  void put(uint32_t k, const Record &record) {
+    store_record(record, memory_ + header.at<Record>(k));
+  }
+  ShellPiece piece(uint32_t k) const { return get<ShellPiece>(k); }
+  ComponentPart component(uint32_t k) const { return get<ComponentPart>(k); }
   void sort_seams();
 
   // Finishes the summary, which then has header.bytes() bytes. False if pieces and components contradict each other.
@@ -47,19 +49,11 @@ class SummaryDraft {
   bool finish(Span<uint32_t> of_piece, Span<uint32_t> of_component);
 
  private:
-  uint8_t *piece_at(uint32_t k) const { return memory_ + header.pieces_at() + uint64_t{little_bytes<ShellPiece>} * k; }
-  uint8_t *component_at(uint32_t k) const {
-    return memory_ + header.components_at() + uint64_t{little_bytes<ComponentPart>} * k;
-  }
-  template <class Record>
-  uint8_t *seam_at(uint64_t list, uint32_t k) const {
-    return memory_ + list + uint64_t{little_bytes<Record>} * k;
-  }
   void mark_open(Span<uint32_t> of_piece, Span<uint32_t> of_component) const;
   uint32_t add_up_pieces(Span<uint32_t> of_piece, Span<const uint32_t> of_component);
   bool move_components(uint32_t pieces, Span<const uint32_t> of_piece, Span<uint32_t> of_component);
   template <class Record>
-  void move_seams(uint64_t from, uint64_t to, uint32_t count, Span<const uint32_t> label);
+  void move_seams(const SummaryHeader &before, Span<const uint32_t> label);
 
   uint8_t *memory_;
 };

@@ -7,29 +7,6 @@ namespace {
 
 constexpr uint32_t instructions_for_a_record = 500;
 
-// Goes through the seams of two lists in the order of their names: calls both(i, j) for a name that is in both lists,
-// else alone(seam, from_a). False if patience ends.
-template <class Record, class SeamAt, class Both, class Alone>
-bool match(const SummaryBlock &a, uint32_t in_a, const SummaryBlock &b, uint32_t in_b, Patience &patience,
-           SeamAt seam_at, Both both, Alone alone) {
-  uint32_t i = 0, j = 0;
-  Record first, second;
-  if (in_a > 0) first = seam_at(a, 0);
-  if (in_b > 0) second = seam_at(b, 0);
-  while (i < in_a || j < in_b) {
-    if (!patience.allows(instructions_for_a_record)) return false;
-    const bool from_a = j == in_b || (i < in_a && first.is_before(second));
-    const bool from_b = !from_a && (i == in_a || second.is_before(first));
-    if (from_a || from_b)
-      alone(from_a ? first : second, from_a);
-    else
-      both(first.label, second.label);
-    if (!from_b && ++i < in_a) first = seam_at(a, i);
-    if (!from_a && ++j < in_b) second = seam_at(b, j);
-  }
-  return true;
-}
-
 class Merge {
  public:
   Merge(const SummaryBlock &a, const SummaryBlock &b, Patience &patience, uint8_t *memory, uint64_t bytes)
@@ -38,35 +15,56 @@ class Merge {
   MergeResult run();
 
  private:
-  template <class Both, class Alone>
-  bool match_shells(Both both, Alone alone) {
-    return match<ShellSeam>(
-        a_, a_.header().shell_seams, b_, b_.header().shell_seams, patience_,
-        [](const SummaryBlock &block, uint32_t k) { return block.shell_seam(k); }, both, alone);
-  }
-  template <class Both, class Alone>
-  bool match_components(Both both, Alone alone) {
-    return match<ComponentSeam>(
-        a_, a_.header().component_seams, b_, b_.header().component_seams, patience_,
-        [](const SummaryBlock &block, uint32_t k) { return block.component_seam(k); }, both, alone);
-  }
+  // The pieces, or components, of a and then of b: first disjoint sets, then numbers in the draft.
+  struct Numbers {
+    Span<uint32_t> of;
+    uint32_t in_a;
+
+    uint32_t operator()(uint32_t k, bool of_a) const { return of[k + (of_a ? 0 : in_a)]; }
+  };
+
   template <class Put>
   MergeResult list_bricks(Put put) const;
   MergeResult check();
   // These return false if patience ends.
+  template <class Record, class Both, class Alone>
+  bool match(Both both, Alone alone);
   bool join();
-  bool put_pieces();
-  bool put_components();
-  bool put_seams();
+  template <class Record, class Renumber>
+  bool put_records(const Numbers &numbers, Renumber renumber);
+  template <class Record>
+  bool put_seams(const Numbers &labels);
 
   const SummaryBlock &a_, &b_;
   Patience &patience_;
   SummaryDraft draft_;
   uint8_t *const memory_;
   const uint64_t size_;
-  // For the pieces, or components, of a and then of b: first disjoint sets, then numbers in the draft.
-  Span<uint32_t> piece_, component_;
+  Numbers piece_{{}, a_.header().pieces}, component_{{}, a_.header().components};
 };
+
+// Goes through the seams of both in the order of their names: calls both(i, j) with the labels of a name that both
+// have, else alone(seam, from_a).
+template <class Record, class Both, class Alone>
+bool Merge::match(Both both, Alone alone) {
+  const uint32_t in_a = a_.header().seams<Record>(), in_b = b_.header().seams<Record>();
+  uint32_t i = 0, j = 0;
+  Record first, second;
+  if (in_a > 0) first = a_.get<Record>(0);
+  if (in_b > 0) second = b_.get<Record>(0);
+  while (i < in_a || j < in_b) {
+    if (!patience_.allows(instructions_for_a_record)) return false;
+    const bool from_a = j == in_b || (i < in_a && first < second);
+    const bool from_b = !from_a && (i == in_a || second < first);
+    if (from_a || from_b)
+      alone(from_a ? first : second, from_a);
+    else
+      both(first.label, second.label);
+    if (!from_b && ++i < in_a) first = a_.get<Record>(i);
+    if (!from_a && ++j < in_b) second = b_.get<Record>(j);
+  }
+  return true;
+}
 
 template <class Put>
 MergeResult Merge::list_bricks(Put put) const {
@@ -107,8 +105,8 @@ MergeResult Merge::check() {
       }
     };
   };
-  const bool done = match_shells(both, alone_in(draft_.header.shell_seams)) &&
-                    match_components(both, alone_in(draft_.header.component_seams));
+  const bool done = match<ShellSeam>(both, alone_in(draft_.header.shell_seams)) &&
+                    match<ComponentSeam>(both, alone_in(draft_.header.component_seams));
   return done ? result : MergeResult{Status::stopped};
 }
 
@@ -120,71 +118,50 @@ uint32_t number_sets(Span<uint32_t> set) {
 }
 
 bool Merge::join() {
-  DisjointSets pieces(piece_), components(component_);
+  DisjointSets pieces(piece_.of), components(component_.of);
   pieces.reset();
   components.reset();
   const auto alone = [](const Seam &, bool) {};
+  const auto join_in = [](DisjointSets &sets, const Numbers &numbers) {
+    return [&](uint32_t in_a, uint32_t in_b) { sets.join(in_a, numbers.in_a + in_b); };
+  };
   const bool done =
-      match_shells([&](uint32_t in_a, uint32_t in_b) { pieces.join(in_a, a_.header().pieces + in_b); }, alone) &&
-      match_components([&](uint32_t in_a, uint32_t in_b) { components.join(in_a, a_.header().components + in_b); },
-                       alone);
-  draft_.header.pieces = number_sets(piece_);
-  draft_.header.components = number_sets(component_);
+      match<ShellSeam>(join_in(pieces, piece_), alone) && match<ComponentSeam>(join_in(components, component_), alone);
+  draft_.header.pieces = number_sets(piece_.of);
+  draft_.header.components = number_sets(component_.of);
   return done;
 }
 
-// Puts a record, or adds it to the record of its set: the first record of a set is put, the others are added. Numbers
-// of the draft ascend with the first records.
-template <class Record, class RecordAt>
-void add_record(SummaryDraft &draft, uint32_t k, const Record &record, RecordAt record_at, uint32_t &known) {
-  if (k < known) {
-    Record sum = record_at(k);
-    sum.add(record);
-    draft.put(k, sum);
-  } else {
-    draft.put(k, record);
-    ++known;
-  }
-}
-
-bool Merge::put_pieces() {
+// Puts the first record of each set, and adds the others to it. Numbers of the draft ascend with the first records.
+template <class Record, class Renumber>
+bool Merge::put_records(const Numbers &numbers, Renumber renumber) {
   uint32_t known = 0;
-  for (uint32_t k = 0; k < piece_.size(); ++k) {
+  for (uint32_t k = 0; k < numbers.of.size(); ++k) {
     if (!patience_.allows(instructions_for_a_record)) return false;
-    const bool of_a = k < a_.header().pieces;
-    ShellPiece piece = of_a ? a_.piece(k) : b_.piece(k - a_.header().pieces);
-    piece.component = component_[piece.component + (of_a ? 0 : a_.header().components)];
-    add_record(
-        draft_, piece_[k], piece, [this](uint32_t at) { return draft_.piece(at); }, known);
+    const bool of_a = k < numbers.in_a;
+    Record record = of_a ? a_.get<Record>(k) : b_.get<Record>(k - numbers.in_a);
+    renumber(record, of_a);
+    const uint32_t to = numbers.of[k];
+    if (to < known) {
+      Record sum = draft_.get<Record>(to);
+      sum.add(record);
+      draft_.put(to, sum);
+    } else {
+      draft_.put(to, record);
+      ++known;
+    }
   }
   return true;
 }
 
-bool Merge::put_components() {
-  uint32_t known = 0;
-  for (uint32_t k = 0; k < component_.size(); ++k) {
-    if (!patience_.allows(instructions_for_a_record)) return false;
-    const bool of_a = k < a_.header().components;
-    ComponentPart part = of_a ? a_.component(k) : b_.component(k - a_.header().components);
-    if (part.top_piece != no_id) part.top_piece = piece_[part.top_piece + (of_a ? 0 : a_.header().pieces)];
-    add_record(
-        draft_, component_[k], part, [this](uint32_t at) { return draft_.component(at); }, known);
-  }
-  return true;
-}
-
-bool Merge::put_seams() {
-  const auto both = [](uint32_t, uint32_t) {};
+template <class Record>
+bool Merge::put_seams(const Numbers &labels) {
   uint32_t k = 0;
-  const bool done = match_shells(both, [&](ShellSeam seam, bool from_a) {
-    seam.label = piece_[seam.label + (from_a ? 0 : a_.header().pieces)];
-    draft_.put(k++, seam);
-  });
-  k = 0;
-  return done && match_components(both, [&](ComponentSeam seam, bool from_a) {
-           seam.label = component_[seam.label + (from_a ? 0 : a_.header().components)];
-           draft_.put(k++, seam);
-         });
+  return match<Record>([](uint32_t, uint32_t) {},
+                       [&](Record seam, bool from_a) {
+                         seam.label = labels(seam.label, from_a);
+                         draft_.put(k++, seam);
+                       });
 }
 
 MergeResult Merge::run() {
@@ -198,12 +175,18 @@ MergeResult Merge::run() {
   const uint64_t enough = draft_.header.bytes() + DraftWords::bytes(pieces + components);
   if (size_ < enough) return {Status::capacity, no_id, enough};
   DraftWords words(memory_, size_);
-  piece_ = words.take(pieces);
-  component_ = words.take(components);
+  piece_.of = words.take(pieces);
+  component_.of = words.take(components);
   if (!join()) return {Status::stopped};
   static_cast<void>(list_bricks([this](uint32_t k, uint32_t brick) { draft_.put_brick(k, brick); }));
-  if (!put_pieces() || !put_components() || !put_seams()) return {Status::stopped};
-  if (!draft_.finish(piece_.part(0, draft_.header.pieces), component_.part(0, draft_.header.components))) {
+  const auto in_draft = [this](ShellPiece &piece, bool of_a) { piece.component = component_(piece.component, of_a); };
+  const auto part_in_draft = [this](ComponentPart &part, bool of_a) {
+    if (part.top_piece != no_id) part.top_piece = piece_(part.top_piece, of_a);
+  };
+  if (!put_records<ShellPiece>(piece_, in_draft) || !put_records<ComponentPart>(component_, part_in_draft) ||
+      !put_seams<ShellSeam>(piece_) || !put_seams<ComponentSeam>(component_))
+    return {Status::stopped};
+  if (!draft_.finish(piece_.of.part(0, draft_.header.pieces), component_.of.part(0, draft_.header.components))) {
     return {Status::conflict, b_.brick(0)};
   }
   return {Status::ok, no_id, draft_.header.bytes()};

@@ -3,6 +3,8 @@
 // field by field.
 #pragma once
 
+#include <compare>
+
 #include "bricks/exact_sums.hpp"
 #include "bricks/little_endian.hpp"
 #include "core/status.hpp"
@@ -38,10 +40,10 @@ struct ShellPiece {
     faces += other.faces;
     loops += other.loops;
     corners += other.corners;
-    add_to(area, other.area);
-    for (uint32_t k = 0; k < 3; ++k) add_to(normal[k], other.normal[k]);
-    add_to(radial, other.radial);
-    add_to(moment, other.moment);
+    area = area + other.area;
+    for (uint32_t k = 0; k < 3; ++k) normal[k] = normal[k] + other.normal[k];
+    radial = radial + other.radial;
+    moment = moment + other.moment;
     widen(other.low, other.high);
   }
   // Six times the Euler characteristic, of all faces of a shell: V - E + sum of (2 - loops), with corners as above.
@@ -60,12 +62,7 @@ struct GlobalRank {
   int64_t x = 0, y = 0, z = 0, r = 0;
   uint64_t id = 0;
 
-  bool operator<(const GlobalRank &other) const {
-    if (x != other.x) return x < other.x;
-    if (y != other.y) return y < other.y;
-    if (z != other.z) return z < other.z;
-    return r != other.r ? r < other.r : id < other.id;
-  }
+  auto operator<=>(const GlobalRank &) const = default;
 };
 
 // A part of a component: balls that are joined through balls that the brick knows.
@@ -100,20 +97,15 @@ struct ComponentPart {
 // on which balls of a meet balls of b. It is named by its lowest vertex: three ids and the sign; or by a free circle:
 // two ids and sign 0. A seam between parts of components is named by the lowest id among balls that are linked by pairs
 // that meet, one of a and one of b.
-struct Seam {
+struct SeamName {
   uint32_t a = 0, b = 0;
   uint64_t id[3] = {0, 0, 0};
   int32_t sign = 0;
-  uint32_t label = 0;  // the number of the piece or component
 
-  bool is_before(const Seam &other) const {
-    if (a != other.a) return a < other.a;
-    if (b != other.b) return b < other.b;
-    for (uint32_t k = 0; k < 3; ++k) {
-      if (id[k] != other.id[k]) return id[k] < other.id[k];
-    }
-    return sign < other.sign;
-  }
+  auto operator<=>(const SeamName &) const = default;
+};
+struct Seam : SeamName {
+  uint32_t label = 0;  // the number of the piece or component
 };
 struct ShellSeam : Seam {
   template <class Io, class Seam>
@@ -139,36 +131,24 @@ struct SummaryTotals {
   VolumeSum thrice_volume{};  // of shells: of the union
   VolumeSum thrice_voids{};   // of the space that shells of voids enclose
 
-  template <class Io, class Totals>
-  static constexpr void visit(Io &io, Totals &t) {
-    io(t.balls), io(t.exposed), io(t.contained), io(t.faces), io(t.loops), io(t.corners), io(t.half_circles);
-    io(t.tied_corners), io(t.shells), io(t.components), io(t.voids), io(t.six_euler), io(t.area);
-    io(t.thrice_volume), io(t.thrice_voids);
+  // Each field of one or more totals.
+  template <class Io, class... Totals>
+  static constexpr void visit(Io &io, Totals &...t) {
+    io(t.balls...), io(t.exposed...), io(t.contained...), io(t.faces...), io(t.loops...), io(t.corners...);
+    io(t.half_circles...), io(t.tied_corners...), io(t.shells...), io(t.components...), io(t.voids...);
+    io(t.six_euler...), io(t.area...), io(t.thrice_volume...), io(t.thrice_voids...);
   }
   void add_shell(const ShellPiece &shell, bool is_void) {
     const VolumeSum volume = shell.thrice_volume();
     ++shells;
     voids += is_void;
     six_euler += shell.six_euler();
-    add_to(thrice_volume, volume);
+    thrice_volume = thrice_volume + volume;
     if (is_void) thrice_voids = thrice_voids - volume;
   }
-  void add(const SummaryTotals &t) {
-    balls += t.balls;
-    exposed += t.exposed;
-    contained += t.contained;
-    faces += t.faces;
-    loops += t.loops;
-    corners += t.corners;
-    half_circles += t.half_circles;
-    tied_corners += t.tied_corners;
-    shells += t.shells;
-    components += t.components;
-    voids += t.voids;
-    six_euler += t.six_euler;
-    add_to(area, t.area);
-    add_to(thrice_volume, t.thrice_volume);
-    add_to(thrice_voids, t.thrice_voids);
+  void add(const SummaryTotals &more) {
+    const auto add_field = [](auto &sum, const auto &term) { sum = sum + term; };
+    visit(add_field, *this, more);
   }
 };
 

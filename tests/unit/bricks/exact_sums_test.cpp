@@ -52,8 +52,8 @@ TEST(ExactSums, AddUpInAnyOrder) {
   hsp::AreaSum forwards{}, backwards{};
   long double expected = 0;
   for (size_t k = 0; k < areas.size(); ++k) {
-    hsp::add_to(forwards, quantum.round(areas[k]));
-    hsp::add_to(backwards, quantum.round(areas[areas.size() - 1 - k]));
+    forwards = forwards + quantum.round(areas[k]);
+    backwards = backwards + quantum.round(areas[areas.size() - 1 - k]);
     expected += areas[k];
   }
   EXPECT_EQ((forwards - backwards).sign(), 0);

@@ -28,8 +28,8 @@ TEST(SummaryBlock, IsReadAsItWasWritten) {
   EXPECT_TRUE(block.has(1) && block.has(4) && !block.has(0) && !block.has(2) && !block.has(5));
   EXPECT_EQ(block.piece(1).faces, 3U);
   EXPECT_EQ(block.component(1).lowest_id, 70U);
-  EXPECT_EQ(block.shell_seam(1).id[2], 93U);
-  EXPECT_EQ(block.component_seam(0).b, 2U);
+  EXPECT_EQ(block.get<hsp::ShellSeam>(1).id[2], 93U);
+  EXPECT_EQ(block.get<hsp::ComponentSeam>(0).b, 2U);
 }
 
 TEST(SummaryBlock, AddressesMayBeOdd) {

@@ -73,9 +73,9 @@ BlockParts parts_of(const Merged &merged) {
   for (uint32_t k = 0; k < block.header().bricks; ++k) parts.bricks.push_back(block.brick(k));
   for (uint32_t k = 0; k < block.header().pieces; ++k) parts.pieces.push_back(block.piece(k));
   for (uint32_t k = 0; k < block.header().components; ++k) parts.components.push_back(block.component(k));
-  for (uint32_t k = 0; k < block.header().shell_seams; ++k) parts.shell_seams.push_back(block.shell_seam(k));
+  for (uint32_t k = 0; k < block.header().shell_seams; ++k) parts.shell_seams.push_back(block.get<hsp::ShellSeam>(k));
   for (uint32_t k = 0; k < block.header().component_seams; ++k)
-    parts.component_seams.push_back(block.component_seam(k));
+    parts.component_seams.push_back(block.get<hsp::ComponentSeam>(k));
   return parts;
 }
 
