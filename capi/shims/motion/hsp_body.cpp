@@ -1,5 +1,7 @@
 #include "hsp_body.hpp"
 
+#include <type_traits>
+
 #include "caller_executor.hpp"
 #include "hsp_model.hpp"
 #include "poses/pose_queries.hpp"
@@ -8,26 +10,14 @@ using namespace hsp::capi;
 
 namespace {
 
-int32_t make_pose(const hsp_body *fixed, const hsp_body *posed, const hsp_pose &numbers, hsp::Pose &pose) {
-  return to_c(hsp::make_pose(fixed->tree, posed->tree, numbers.quaternion, numbers.translation, pose));
-}
-
-int32_t make_pose(const hsp_body *fixed, const hsp_body *posed, const hsp_rational_pose &numbers,
-                  hsp::RationalPose &pose) {
-  return to_c(hsp::make_pose(fixed->tree, posed->tree, numbers.quaternion, numbers.translation, pose));
-}
-
 // The type of pose that is made of the numbers of a type.
 template <class Numbers>
-struct PoseOf;
-template <>
-struct PoseOf<hsp_pose> {
-  using type = hsp::Pose;
-};
-template <>
-struct PoseOf<hsp_rational_pose> {
-  using type = hsp::RationalPose;
-};
+using PoseOf = std::conditional_t<std::is_same_v<Numbers, hsp_pose>, hsp::Pose, hsp::RationalPose>;
+
+template <class Numbers>
+int32_t make_pose(const hsp_body *fixed, const hsp_body *posed, const Numbers &numbers, PoseOf<Numbers> &pose) {
+  return to_c(hsp::make_pose(fixed->tree, posed->tree, numbers.quaternion, numbers.translation, pose));
+}
 
 int32_t check_bodies(const hsp_body *fixed, const hsp_body *posed, bool bad) {
   const int32_t refused = first_failure(check_handle(fixed), check_handle(posed, bad));
@@ -41,7 +31,7 @@ int32_t for_each_pose(const hsp_body *fixed, const hsp_body *posed, uint32_t pos
                       const void *out, uint32_t *first_bad, Answer answer) {
   const bool bad = poses > 0 && (numbers == nullptr || out == nullptr);
   if (const int32_t status = name_none(check_bodies(fixed, posed, bad), first_bad); status != HSP_OK) return status;
-  typename PoseOf<Numbers>::type pose;
+  PoseOf<Numbers> pose;
   for (uint32_t k = 0; k < poses; ++k) {
     const int32_t status = make_pose(fixed, posed, numbers[k], pose);
     if (status == HSP_OK) continue;
@@ -92,7 +82,7 @@ int32_t list_pairs(const hsp_body *fixed, const hsp_body *posed, const Numbers *
                    uint32_t *needed) {
   const bool bad = pose == nullptr || (pair == nullptr && capacity > 0);
   if (const int32_t refused = check_bodies(fixed, posed, bad); refused != HSP_OK) return refused;
-  typename PoseOf<Numbers>::type at;
+  PoseOf<Numbers> at;
   if (const int32_t status = make_pose(fixed, posed, *pose, at); status != HSP_OK) return status;
   // Two walks: the first counts, as nothing is written to `pair` unless all pairs fit.
   const uint32_t count = hsp::clamped_count(hsp::list_meeting_pairs(fixed->tree, posed->tree, at, {}));

@@ -1,5 +1,8 @@
 #include "poses/pose_queries.hpp"
 
+#include <type_traits>
+#include <utility>
+
 #include "core/sorting.hpp"
 #include "exact/power.hpp"
 #include "model/meeting.hpp"
@@ -19,52 +22,51 @@ bool opens_fixed(const TreeNode &fixed, const TreeNode &moving) {
   return moving.is_leaf() || (!fixed.is_leaf() && fixed.radius > moving.radius);
 }
 
-// The positions of balls in a snapped pose, and the decisions about them.
-class SnappedBalls {
+// The positions of balls in a pose, and the decisions about them. In a snapped pose they are lattice points; in a
+// rational one the place of a ball is known in doubles up to the slack.
+template <class AnyPose>
+class PosedBalls {
  public:
-  SnappedBalls(const SphereTree &fixed, const SphereTree &moving, const Pose &pose)
-      : pose_(&pose), slack_(pose.slack(fixed.reach() + moving.reach())) {}
+  PosedBalls(const SphereTree &fixed, const SphereTree &moving, const AnyPose &pose)
+      : pose_(pose), slack_(pose.slack(fixed.reach() + moving.reach())) {}
 
   // The image of a centre of the moving molecule, of a ball or a node: at most slack() from its place.
-  Vec3 image(const Vec3 &p) const { return pose_->image(p); }
-  const Pose &rounded() const { return *pose_; }
+  Vec3 image(const Vec3 &p) const { return pose_.image(p); }
+  const Pose &rounded() const {
+    if constexpr (are_snapped) {
+      return pose_;
+    } else {
+      return pose_.rounded();
+    }
+  }
   double slack() const { return slack_; }
   // The place of a ball, from its image.
-  Vec3 place(const Vec3 &image) const { return snapped(image); }
+  Vec3 place(const Vec3 &image) const { return are_snapped ? snapped(image) : image; }
 
   // Whether a ball at rest about c and the moved ball about p meet. between: from c to the place of p.
-  bool meet(const Vec3 &, const Vec3 &, const Vec3 &between, double sum) const {
-    return hsp::meet(between.x, between.y, between.z, sum);
-  }
-  double distance(const Vec3 &, const Vec3 &, const Vec3 &between) const { return std::sqrt(dot(between, between)); }
-
- private:
-  const Pose *pose_;
-  double slack_;
-};
-
-// The same for a rational pose: in doubles, the place of a ball is known up to the slack.
-class RationalBalls {
- public:
-  RationalBalls(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose)
-      : pose_(&pose), slack_(pose.slack(fixed.reach() + moving.reach())) {}
-
-  Vec3 image(const Vec3 &p) const { return pose_->image(p); }
-  const Pose &rounded() const { return pose_->rounded(); }
-  double slack() const { return slack_; }
-  Vec3 place(const Vec3 &image) const { return image; }
-
   bool meet(const Vec3 &c, const Vec3 &p, const Vec3 &between, double sum) const {
-    const double square = dot(between, between);
-    const double least = sum - slack_, most = sum + slack_;
-    if (square > most * most * (1 + error)) return false;
-    if (least > 0 && square < least * least * (1 - error)) return true;
-    return pose_->meet_exactly(c, p, sum);
+    if constexpr (are_snapped) {
+      return hsp::meet(between.x, between.y, between.z, sum);
+    } else {
+      const double square = dot(between, between);
+      const double least = sum - slack_, most = sum + slack_;
+      if (square > most * most * (1 + error)) return false;
+      if (least > 0 && square < least * least * (1 - error)) return true;
+      return pose_.meet_exactly(c, p, sum);
+    }
   }
-  double distance(const Vec3 &c, const Vec3 &p, const Vec3 &) const { return pose_->distance(c, p); }
+  double distance(const Vec3 &c, const Vec3 &p, const Vec3 &between) const {
+    if constexpr (are_snapped) {
+      return std::sqrt(dot(between, between));
+    } else {
+      return pose_.distance(c, p);
+    }
+  }
 
  private:
-  const RationalPose *pose_;
+  static constexpr bool are_snapped = std::is_same_v<AnyPose, Pose>;
+
+  const AnyPose &pose_;
   double slack_;
 };
 
@@ -131,15 +133,6 @@ bool still_meet(const SphereTree &fixed, const SphereTree &moving, const Balls &
   return balls.meet(c, p, balls.place(balls.image(p)) - c, fixed.radius(witness.fixed) + moving.radius(witness.moving));
 }
 
-template <class Balls>
-bool any_meet(const SphereTree &fixed, const SphereTree &moving, const Balls &balls, PairRanks &witness) {
-  return still_meet(fixed, moving, balls, witness) ||
-         visit_meeting_pairs(fixed, moving, balls, [&](uint32_t i, uint32_t j, const Vec3 &) {
-           witness = {i, j};
-           return true;
-         });
-}
-
 // Whether no ball of the molecule goes as far as the budget from a pose to this one. A ball goes as far as the centre
 // of the root sphere does, plus at most the length of (R - S) y, with R and S the two rotations and y the vector from
 // that centre to the ball's, |y| <= radius of the root. R S^T - 1 multiplies the length of every vector across the axis
@@ -156,58 +149,6 @@ bool stays_within(double budget, const SphereTree &moving, const Pose &from, con
   }
   const double turned = (std::sqrt(0.5 * squares) + 0x1p-46) * root.radius;
   return (std::sqrt(dot(shift, shift)) + turned) * (1 + 0x1p-46) + 2 * balls.slack() < budget;
-}
-
-template <class Balls>
-bool any_meet(const SphereTree &fixed, const SphereTree &moving, const Balls &balls, GapBudget &known) {
-  if (fixed.empty() || moving.empty() || stays_within(known.budget, moving, known.from, balls)) return false;
-  if (still_meet(fixed, moving, balls, known.witness)) return true;
-  const TreeNode &a = fixed.node(0), &b = moving.node(0);
-  const double slack = balls.slack(), sum_of_roots = a.radius + b.radius;
-  // A margin larger than both molecules would only lose precision of the floats.
-  double gap = known.margin < sum_of_roots ? known.margin : sum_of_roots;
-  FloatPose floats;
-  PairWalk walk;
-  if (start_walk(fixed, moving, balls, gap, floats, walk)) {
-    while (const uint32_t found = go_on(fixed, moving, floats, walk)) {
-      for (uint32_t k = 0; k < found; ++k) {
-        const auto [i, j] = walk.found[k];
-        const Vec3 c = fixed.centre(i), p = moving.centre(j);
-        const Vec3 between = balls.place(balls.image(p)) - c;
-        const double sum = fixed.radius(i) + moving.radius(j), square = dot(between, between);
-        const double enough = sum + (gap + slack);
-        if (square > enough * enough * (1 + error)) continue;
-        if (balls.meet(c, p, between, sum)) {
-          known.witness = {i, j};
-          return true;
-        }
-        const double own = std::sqrt(square) - sum;
-        gap = own < gap ? own : gap;
-      }
-    }
-  } else {
-    const Vec3 between = balls.image(b.centre) - a.centre;
-    gap = std::sqrt(dot(between, between)) - sum_of_roots;
-  }
-  // The gap is one of rounded positions, and so are the lengths compared with the budget.
-  known.from = balls.rounded();
-  known.budget = gap - 4 * slack;
-  return false;
-}
-
-template <class Balls>
-uint64_t list_pairs(const SphereTree &fixed, const SphereTree &moving, const Balls &balls, Span<MeetingPair> pairs) {
-  uint64_t count = 0;
-  visit_meeting_pairs(fixed, moving, balls, [&](uint32_t i, uint32_t j, const Vec3 &) {
-    if (count < pairs.size()) pairs[static_cast<uint32_t>(count)] = {fixed.caller(i), moving.caller(j)};
-    ++count;
-    return false;
-  });
-  if (count <= pairs.size())
-    sort_in_place(pairs.part(0, static_cast<uint32_t>(count)), [](const MeetingPair &a, const MeetingPair &b) {
-      return a.fixed != b.fixed ? a.fixed < b.fixed : a.moving < b.moving;
-    });
-  return count;
 }
 
 // d^2 - length^2 for the distance d of two centres, rounded once.
@@ -286,11 +227,7 @@ PairGap find_least_gap(const SphereTree &fixed, const SphereTree &moving, const 
                          : task_of(task.fixed, task.moving + 1, balls.image(moving.node(task.moving + 1).centre));
     Task far = by_fixed ? task_of(a.second, task.moving, task.image)
                         : task_of(task.fixed, b.second, balls.image(moving.node(b.second).centre));
-    if (far.bound < near.bound) {
-      const Task swapped = near;
-      near = far;
-      far = swapped;
-    }
+    if (far.bound < near.bound) std::swap(near, far);
     if (far.bound <= best.gap) tasks[count++] = far;
     if (near.bound <= best.gap) tasks[count++] = near;
   }
@@ -299,51 +236,73 @@ PairGap find_least_gap(const SphereTree &fixed, const SphereTree &moving, const 
 
 }  // namespace
 
-Status make_pose(const SphereTree &fixed, const SphereTree &moving, const double *quaternion, const double *translation,
-                 Pose &pose) {
-  if (fixed.lattice().step() != moving.lattice().step()) return Status::argument;
-  const Status status = Pose::make(quaternion, translation, moving.lattice(), pose);
-  if (status != Status::ok) return status;
-  return pose.has_room_for(moving.reach()) ? Status::ok : Status::range;
+template <class AnyPose>
+bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const AnyPose &pose, PairRanks &witness) {
+  const PosedBalls balls(fixed, moving, pose);
+  return still_meet(fixed, moving, balls, witness) ||
+         visit_meeting_pairs(fixed, moving, balls, [&](uint32_t i, uint32_t j, const Vec3 &) {
+           witness = {i, j};
+           return true;
+         });
 }
 
-Status make_pose(const SphereTree &fixed, const SphereTree &moving, const int32_t *quaternion,
-                 const double *translation, RationalPose &pose) {
-  if (fixed.lattice().step() != moving.lattice().step()) return Status::argument;
-  const Status status = RationalPose::make(quaternion, translation, moving.lattice(), pose);
-  if (status != Status::ok) return status;
-  return pose.has_room_for(moving.reach()) ? Status::ok : Status::range;
+template <class AnyPose>
+bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const AnyPose &pose, GapBudget &known) {
+  const PosedBalls balls(fixed, moving, pose);
+  if (fixed.empty() || moving.empty() || stays_within(known.budget, moving, known.from, balls)) return false;
+  if (still_meet(fixed, moving, balls, known.witness)) return true;
+  const TreeNode &a = fixed.node(0), &b = moving.node(0);
+  const double slack = balls.slack(), sum_of_roots = a.radius + b.radius;
+  // A margin larger than both molecules would only lose precision of the floats.
+  double gap = known.margin < sum_of_roots ? known.margin : sum_of_roots;
+  FloatPose floats;
+  PairWalk walk;
+  if (start_walk(fixed, moving, balls, gap, floats, walk)) {
+    while (const uint32_t found = go_on(fixed, moving, floats, walk)) {
+      for (uint32_t k = 0; k < found; ++k) {
+        const auto [i, j] = walk.found[k];
+        const Vec3 c = fixed.centre(i), p = moving.centre(j);
+        const Vec3 between = balls.place(balls.image(p)) - c;
+        const double sum = fixed.radius(i) + moving.radius(j), square = dot(between, between);
+        const double enough = sum + (gap + slack);
+        if (square > enough * enough * (1 + error)) continue;
+        if (balls.meet(c, p, between, sum)) {
+          known.witness = {i, j};
+          return true;
+        }
+        const double own = std::sqrt(square) - sum;
+        gap = own < gap ? own : gap;
+      }
+    }
+  } else {
+    const Vec3 between = balls.image(b.centre) - a.centre;
+    gap = std::sqrt(dot(between, between)) - sum_of_roots;
+  }
+  // The gap is one of rounded positions, and so are the lengths compared with the budget.
+  known.from = balls.rounded();
+  known.budget = gap - 4 * slack;
+  return false;
 }
 
-bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const Pose &pose, PairRanks &witness) {
-  return any_meet(fixed, moving, SnappedBalls(fixed, moving, pose), witness);
-}
-
-bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose, PairRanks &witness) {
-  return any_meet(fixed, moving, RationalBalls(fixed, moving, pose), witness);
-}
-
-bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const Pose &pose, GapBudget &known) {
-  return any_meet(fixed, moving, SnappedBalls(fixed, moving, pose), known);
-}
-
-bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose, GapBudget &known) {
-  return any_meet(fixed, moving, RationalBalls(fixed, moving, pose), known);
-}
-
-uint64_t list_meeting_pairs(const SphereTree &fixed, const SphereTree &moving, const Pose &pose,
+template <class AnyPose>
+uint64_t list_meeting_pairs(const SphereTree &fixed, const SphereTree &moving, const AnyPose &pose,
                             Span<MeetingPair> pairs) {
-  return list_pairs(fixed, moving, SnappedBalls(fixed, moving, pose), pairs);
-}
-
-uint64_t list_meeting_pairs(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose,
-                            Span<MeetingPair> pairs) {
-  return list_pairs(fixed, moving, RationalBalls(fixed, moving, pose), pairs);
+  uint64_t count = 0;
+  visit_meeting_pairs(fixed, moving, PosedBalls(fixed, moving, pose), [&](uint32_t i, uint32_t j, const Vec3 &) {
+    if (count < pairs.size()) pairs[static_cast<uint32_t>(count)] = {fixed.caller(i), moving.caller(j)};
+    ++count;
+    return false;
+  });
+  if (count <= pairs.size())
+    sort_in_place(pairs.part(0, static_cast<uint32_t>(count)), [](const MeetingPair &a, const MeetingPair &b) {
+      return a.fixed != b.fixed ? a.fixed < b.fixed : a.moving < b.moving;
+    });
+  return count;
 }
 
 Overlap sum_overlaps(const SphereTree &fixed, const SphereTree &moving, const Pose &pose) {
   Overlap sum;
-  visit_meeting_pairs(fixed, moving, SnappedBalls(fixed, moving, pose),
+  visit_meeting_pairs(fixed, moving, PosedBalls(fixed, moving, pose),
                       [&](uint32_t i, uint32_t j, const Vec3 &difference) {
                         ++sum.pairs;
                         sum.volume += lens_volume(difference, fixed.radius(i), moving.radius(j));
@@ -352,12 +311,18 @@ Overlap sum_overlaps(const SphereTree &fixed, const SphereTree &moving, const Po
   return sum;
 }
 
-PairGap least_gap(const SphereTree &fixed, const SphereTree &moving, const Pose &pose, PairRanks &witness) {
-  return find_least_gap(fixed, moving, SnappedBalls(fixed, moving, pose), witness);
+template <class AnyPose>
+PairGap least_gap(const SphereTree &fixed, const SphereTree &moving, const AnyPose &pose, PairRanks &witness) {
+  return find_least_gap(fixed, moving, PosedBalls(fixed, moving, pose), witness);
 }
 
-PairGap least_gap(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose, PairRanks &witness) {
-  return find_least_gap(fixed, moving, RationalBalls(fixed, moving, pose), witness);
-}
+template bool any_balls_meet(const SphereTree &, const SphereTree &, const Pose &, PairRanks &);
+template bool any_balls_meet(const SphereTree &, const SphereTree &, const RationalPose &, PairRanks &);
+template bool any_balls_meet(const SphereTree &, const SphereTree &, const Pose &, GapBudget &);
+template bool any_balls_meet(const SphereTree &, const SphereTree &, const RationalPose &, GapBudget &);
+template uint64_t list_meeting_pairs(const SphereTree &, const SphereTree &, const Pose &, Span<MeetingPair>);
+template uint64_t list_meeting_pairs(const SphereTree &, const SphereTree &, const RationalPose &, Span<MeetingPair>);
+template PairGap least_gap(const SphereTree &, const SphereTree &, const Pose &, PairRanks &);
+template PairGap least_gap(const SphereTree &, const SphereTree &, const RationalPose &, PairRanks &);
 
 }  // namespace hsp

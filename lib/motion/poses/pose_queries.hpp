@@ -11,13 +11,18 @@
 
 namespace hsp {
 
-// Makes a pose for these molecules as Pose::make() does. Status::argument if their lattices have different steps,
-// Status::range if the pose has no room for the moving one, or the status of Pose::make().
-Status make_pose(const SphereTree &fixed, const SphereTree &moving, const double *quaternion, const double *translation,
-                 Pose &pose);
-// The same with RationalPose::make().
-Status make_pose(const SphereTree &fixed, const SphereTree &moving, const int32_t *quaternion,
-                 const double *translation, RationalPose &pose);
+// Makes a pose for these molecules as Pose::make() or RationalPose::make() does. Status::argument if their lattices have
+// different steps, Status::range if the pose has no room for the moving one, or the status of make().
+template <class Number, class AnyPose>
+Status make_pose(const SphereTree &fixed, const SphereTree &moving, const Number *quaternion, const double *translation,
+                 AnyPose &pose) {
+  if (fixed.lattice().step() != moving.lattice().step()) return Status::argument;
+  const Status status = AnyPose::make(quaternion, translation, moving.lattice(), pose);
+  if (status != Status::ok) return status;
+  return pose.has_room_for(moving.reach()) ? Status::ok : Status::range;
+}
+
+// The questions below are about a Pose or a RationalPose.
 
 // Two balls, by their ranks in the trees: the pair that decided the last answer. A caller that asks about many poses
 // passes it on. The pair is tried first; if poses change little, it may decide alone. Answers do not depend on it, and
@@ -27,8 +32,8 @@ struct PairRanks {
 };
 
 // Whether any two balls meet. If so the witness becomes a pair that meets, else it stays as it is.
-bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const Pose &pose, PairRanks &witness);
-bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose, PairRanks &witness);
+template <class AnyPose>
+bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const AnyPose &pose, PairRanks &witness);
 inline bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const Pose &pose) {
   PairRanks none;
   return any_balls_meet(fixed, moving, pose, none);
@@ -47,8 +52,8 @@ struct GapBudget {
 };
 
 // As any_balls_meet() above. The two molecules are the same in all calls with one budget.
-bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const Pose &pose, GapBudget &known);
-bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose, GapBudget &known);
+template <class AnyPose>
+bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const AnyPose &pose, GapBudget &known);
 
 struct MeetingPair {
   uint32_t fixed, moving;  // the caller's indices
@@ -56,9 +61,8 @@ struct MeetingPair {
 
 // Writes the pairs that meet, as many as there is room for, and returns how many there are. They are ascending if all
 // fit, else in an arbitrary order.
-uint64_t list_meeting_pairs(const SphereTree &fixed, const SphereTree &moving, const Pose &pose,
-                            Span<MeetingPair> pairs);
-uint64_t list_meeting_pairs(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose,
+template <class AnyPose>
+uint64_t list_meeting_pairs(const SphereTree &fixed, const SphereTree &moving, const AnyPose &pose,
                             Span<MeetingPair> pairs);
 
 struct Overlap {
@@ -78,8 +82,8 @@ struct PairGap {
 // The least distance between two balls; below 0 for the pair that overlaps deepest. Its error is at most 2^-51 times
 // the distance of the centres or the sum of the radii, whichever is larger. Of equal pairs the first, by the ball at
 // rest. Infinite if one molecule has no balls. The witness becomes the pair.
-PairGap least_gap(const SphereTree &fixed, const SphereTree &moving, const Pose &pose, PairRanks &witness);
-PairGap least_gap(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose, PairRanks &witness);
+template <class AnyPose>
+PairGap least_gap(const SphereTree &fixed, const SphereTree &moving, const AnyPose &pose, PairRanks &witness);
 inline PairGap least_gap(const SphereTree &fixed, const SphereTree &moving, const Pose &pose) {
   PairRanks none;
   return least_gap(fixed, moving, pose, none);
