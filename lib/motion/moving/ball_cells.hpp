@@ -5,6 +5,7 @@
 // Cubes are as wide as the largest ball. Where most balls are far smaller, these are in smaller cubes of their own.
 #pragma once
 
+#include "core/extremes.hpp"
 #include "core/small_code.hpp"
 #include "core/workspace.hpp"
 #include "model/ball_set.hpp"
@@ -62,11 +63,10 @@ class BallCells {
   template <class Visit>
   void visit_meeting(const BallSet &balls, const exact::LatticeBall &a, const exact::LatticeBall &b,
                      Visit visit) const {
-    const auto low = [](int64_t p, int64_t q) { return p < q ? p : q; };
-    const auto high = [](int64_t p, int64_t q) { return p > q ? p : q; };
     const exact::Vector &p = a.centre, &q = b.centre;
-    visit_near({low(p.x, q.x), low(p.y, q.y), low(p.z, q.z)}, {high(p.x, q.x), high(p.y, q.y), high(p.z, q.z)},
-               high(a.radius, b.radius), [&](uint32_t j) {
+    visit_near({smaller_of(p.x, q.x), smaller_of(p.y, q.y), smaller_of(p.z, q.z)},
+               {larger_of(p.x, q.x), larger_of(p.y, q.y), larger_of(p.z, q.z)}, larger_of(a.radius, b.radius),
+               [&](uint32_t j) {
                  if (is_met(balls, a, j)) {
                    visit(j, true);
                  } else if (is_met(balls, b, j)) {

@@ -1,5 +1,6 @@
 #include "moving/ball_group.hpp"
 
+#include "core/extremes.hpp"
 #include "measure/tangency.hpp"
 
 namespace hsp {
@@ -15,11 +16,6 @@ constexpr int64_t most_sides = 3;
 BoundaryLimits limits_of_part(uint32_t balls, uint32_t neighbours) {
   const uint64_t m = neighbours;
   return {balls, neighbours, clamped_count(6 * m + 16 * most_in_group), clamped_count(m + 4 * most_in_group), 0};
-}
-
-void stretch(int64_t value, int64_t &low, int64_t &high) {
-  low = value < low ? value : low;
-  high = value > high ? value : high;
 }
 
 }  // namespace
@@ -75,11 +71,9 @@ uint32_t BallGroup::choose(const MovingRecords &records, const BallCells &cells,
     const uint32_t i = records.entry(k).ball;
     const exact::LatticeBall ball = balls.ball(i);
     if (cells.side_for(ball.radius) != side) break;
-    const exact::Vector &c = ball.centre;
-    exact::Vector low = count == 0 ? c : low_, high = count == 0 ? c : high_;
-    stretch(c.x, low.x, high.x);
-    stretch(c.y, low.y, high.y);
-    stretch(c.z, low.z, high.z);
+    const exact::Vector &c = ball.centre, &p = count == 0 ? c : low_, &q = count == 0 ? c : high_;
+    const exact::Vector low{smaller_of(p.x, c.x), smaller_of(p.y, c.y), smaller_of(p.z, c.z)};
+    const exact::Vector high{larger_of(q.x, c.x), larger_of(q.y, c.y), larger_of(q.z, c.z)};
     if (high.x - low.x > most || high.y - low.y > most || high.z - low.z > most) break;
     low_ = low;
     high_ = high;

@@ -1,5 +1,7 @@
 #include "moving/component_update.hpp"
 
+#include <utility>
+
 namespace hsp {
 
 void ComponentUpdate::carve(Workspace &workspace, uint32_t balls) {
@@ -296,11 +298,7 @@ void ComponentUpdate::merge_sets(MovingRecords &records, Patience &patience) {
     uint32_t to = records.ball[of_[sets_.find(i)]].origin;
     uint32_t from = records.ball[i].origin;
     if (to == from) continue;
-    if (before(from, to)) {
-      const uint32_t other = to;
-      to = from;
-      from = other;
-    }
+    if (before(from, to)) std::swap(from, to);
     uint32_t k = from;
     do {
       records.note(k);

@@ -45,15 +45,13 @@ void MovingBalls::carve(Workspace &workspace, const MovingLimits &limits) {
 Status MovingBalls::set(const CubeGrid &grid, const EnergyTerms &terms, Patience patience) {
   const BallSet &given = grid.balls();
   const uint32_t n = given.n;
-  records_.clear(0);
-  sums_.resize(0);
-  counts_ = {};
   may_undo_ = false;
   needed_ = {};
   if (n > limits_.balls) {
     needed_.balls = n;
-    return Status::capacity;
+    return forget(Status::capacity);
   }
+  counts_ = {};
   BallSet &balls = records_.balls;
   records_.clear(n);
   balls.lattice = given.lattice;
@@ -185,7 +183,9 @@ void MovingBalls::place_again(uint32_t i, const exact::LatticeBall &ball) {
 // their new places. Returns how many were noted before the last step.
 uint32_t MovingBalls::place_all(const BallMoves &moves) {
   const uint32_t moved = records_.noted();
-  for (uint32_t k = 0; k < moved; ++k) note_meeting(records_.entry(k).placed);
+  for (uint32_t k = 0; k < moved; ++k) {
+    cells_.visit_meeting(records_.balls, records_.entry(k).placed, [this](uint32_t j) { records_.note(j); });
+  }
   const uint32_t former = records_.noted();
   for (uint32_t k = 0; k < moves.count; ++k) place_again(slot_[moves.ball[k]], new_ball_[k]);
   components_.begin(records_, former);
@@ -220,10 +220,6 @@ uint32_t MovingBalls::place_one(uint32_t caller) {
     if (BallCells::is_met(records_.balls, new_ball_[0], j)) components_.connect(records_, i, j);
   }
   return former;
-}
-
-void MovingBalls::note_meeting(const exact::LatticeBall &ball) {
-  cells_.visit_meeting(records_.balls, ball, [this](uint32_t j) { records_.note(j); });
 }
 
 // Notes the balls that ball i meets at its new place.
@@ -274,23 +270,15 @@ void MovingBalls::sum_up(uint32_t affected, Patience &patience) {
   if (patience.allows(50 * uint64_t{records_.noted()})) sums_.update();
 }
 
-// Restores all balls of the journal.
-void MovingBalls::put_back() {
+// Restores the balls of the journal, counts and sums.
+void MovingBalls::take_back() {
+  counts_ = counts_before_;
   for (uint32_t k = 0; k < records_.noted(); ++k) {
     const JournalEntry &entry = records_.entry(k);
     const uint32_t i = entry.ball;
     if (entry.moved) place_again(i, entry.placed);
     records_.ball[i] = entry.before;
     records_.parent[i] = entry.parent;
-  }
-}
-
-// Restores the balls, counts and sums.
-void MovingBalls::take_back() {
-  put_back();
-  counts_ = counts_before_;
-  for (uint32_t k = 0; k < records_.noted(); ++k) {
-    const uint32_t i = records_.entry(k).ball;
     sums_.set(records_.balls.caller[i], term_of(i));
   }
   sums_.update();

@@ -96,11 +96,9 @@ class MovingBalls : public Limited<MovingLimits> {
   void place_again(uint32_t i, const exact::LatticeBall &ball);
   uint32_t place_all(const BallMoves &moves);
   uint32_t place_one(uint32_t caller);
-  void note_meeting(const exact::LatticeBall &ball);
   void note_what_meets(uint32_t i);
   Status update(uint32_t former, Patience &patience);
   void sum_up(uint32_t affected, Patience &patience);
-  void put_back();
   void take_back();
   Sums::Term term_of(uint32_t i) const;
   AreaWeights weights() const { return {weighted_ ? weight_.data() : nullptr, touching_balls_}; }
