@@ -25,8 +25,9 @@ MovedRecord listed_vertex(const PeriodicUnion &periodic, uint32_t vertex) {
   const Boundary &b = periodic.boundary();
   const OrderedVertex seen = periodic.in_listed_order(b.vertex(vertex));
   const BoxShift shift = shift_of_grid_ball(periodic, seen.ball[0]);
+  const ImagesInGrid images(periodic.grid(), periodic.images());
   uint32_t wanted[3];
-  for (int t = 0; t < 3; ++t) wanted[t] = periodic.grid_index_moved(seen.ball[t], BoxShift{} - shift);
+  for (int t = 0; t < 3; ++t) wanted[t] = images.moved_back(seen.ball[t], seen.ball[0]);
   for (const uint32_t e : b.half_edges(wanted[0])) {
     const uint32_t candidate = b.half_edge(e).vertex;
     const OrderedVertex there = periodic.in_listed_order(b.vertex(candidate));

@@ -93,10 +93,6 @@ Status PeriodicUnion::count(Patience &patience) {
   return list_vertices(patience) ? join_faces(patience) : Status::stopped;
 }
 
-uint32_t PeriodicUnion::grid_index_moved(uint32_t grid_ball, const BoxShift &shift) const {
-  return ImagesInGrid(grid_, images_).moved(grid_ball, shift);
-}
-
 // The other ball, at its place in the box, has the same half-edges, moved. The wanted one lies on the circle with the
 // first ball, moved likewise, and begins at the vertex with the same third ball. Of the two points of three spheres
 // only one is such a beginning.

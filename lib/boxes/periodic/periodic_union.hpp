@@ -146,9 +146,6 @@ class PeriodicUnion : public Limited<PeriodicLimits> {
     const Span<const uint32_t> caller = balls().caller;
     return in_order(vertex, [&](uint32_t p, uint32_t q) { return comes_first(caller[p], caller[q]); });
   }
-  // The ball or image of the grid at which a ball or image is, when it is moved by a shift; no_id if that is not in the
-  // set.
-  uint32_t grid_index_moved(uint32_t grid_ball, const BoxShift &shift) const;
   // The half-edge of the same arc on its other ball, at the place of that ball in the box; no_id if there is none,
   // which cannot happen.
   uint32_t half_edge_across(uint32_t ball, uint32_t half_edge) const;

@@ -1,5 +1,7 @@
 #include "periodic/windings.hpp"
 
+#include <utility>
+
 namespace hsp {
 namespace {
 
@@ -18,17 +20,13 @@ void subtract(int64_t (&v)[3], int64_t times, const int64_t (&w)[3]) {
   for (int k = 0; k < 3; ++k) v[k] -= times * w[k];
 }
 
-constexpr uint64_t common_divisor(uint64_t a, uint64_t b) {
+constexpr int64_t common_divisor(int64_t a, int64_t b) {
   while (b != 0) {
-    const uint64_t rest = a % b;
+    const int64_t rest = a % b;
     a = b;
     b = rest;
   }
-  return a;
-}
-
-constexpr uint64_t magnitude(int64_t x) {
-  return x < 0 ? static_cast<uint64_t>(-x) : static_cast<uint64_t>(x);
+  return a < 0 ? -a : a;
 }
 
 }  // namespace
@@ -49,21 +47,13 @@ bool WindingLattice::add(const int64_t (&generator)[3]) {
       while (v[column] != 0) {
         subtract(rows[at], rows[at][column] / v[column], v);
         if (!is_small(rows[at])) return false;
-        for (int k = 0; k < 3; ++k) {
-          const int64_t other = v[k];
-          v[k] = rows[at][k];
-          rows[at][k] = other;
-        }
+        std::swap(v, rows[at]);
       }
       ++at;
     } else if (v[column] != 0) {
-      for (uint32_t r = rank; r > at; --r) {
-        for (int k = 0; k < 3; ++k) rows[r][k] = rows[r - 1][k];
-      }
-      for (int k = 0; k < 3; ++k) {
-        rows[at][k] = v[k];
-        v[k] = 0;
-      }
+      // Rows behind the last one are 0, and then v is.
+      for (uint32_t r = rank; r > at; --r) std::swap(rows[r], rows[r - 1]);
+      std::swap(v, rows[at]);
       ++rank;
       ++at;
     }
@@ -91,24 +81,25 @@ bool WindingLattice::add(const int64_t (&generator)[3]) {
 // The index is the greatest common divisor of the minors of the highest order.
 uint64_t WindingLattice::copies() const {
   if (rank == 0) return 1;
-  uint64_t divisor = 0;
+  int64_t divisor = 0;
   if (rank == 1) {
-    for (const int32_t x : row[0]) divisor = common_divisor(divisor, magnitude(x));
+    for (const int32_t x : row[0]) divisor = common_divisor(divisor, x);
   } else if (rank == 2) {
     for (int k = 0; k < 3; ++k) {
       const int next = (k + 1) % 3;
       const int64_t minor = int64_t{row[0][k]} * row[1][next] - int64_t{row[0][next]} * row[1][k];
-      divisor = common_divisor(divisor, magnitude(minor));
+      divisor = common_divisor(divisor, minor);
     }
   } else {
-    divisor = 1;
+    uint64_t product = 1;
     for (int k = 0; k < 3; ++k) {
-      const uint64_t pivot = magnitude(row[k][k]);
-      if (divisor > UINT64_MAX / pivot) return 0;
-      divisor *= pivot;
+      const auto pivot = static_cast<uint64_t>(row[k][k]);
+      if (product > UINT64_MAX / pivot) return 0;
+      product *= pivot;
     }
+    return product;
   }
-  return divisor;
+  return static_cast<uint64_t>(divisor);
 }
 
 void Windings::carve(Workspace &workspace, uint32_t balls) {

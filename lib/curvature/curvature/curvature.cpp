@@ -142,11 +142,6 @@ bool has_plain_squares(const BallSet &balls, Target target) {
   return plain;
 }
 
-// Half of the sum of rho phi beta over the batch.
-double edges_of(const BallSet &balls, const Boundary &boundary, uint32_t i, const ArcBatch &batch) {
-  return sum_edges(boundary.target(), ball_of_set(balls, i), batch);
-}
-
 }  // namespace
 
 CurvedSet curved_set(const BallSet &balls, const Boundary &boundary) {
@@ -164,7 +159,7 @@ BallCurvature curvature_of_ball(const BallSet &balls, const Boundary &boundary, 
   double edges = 0.0;
   while (arcs.next()) {
     surface.add(arcs.batch());
-    edges += edges_of(balls, boundary, i, arcs.batch());
+    edges += sum_edges(boundary.target(), ball_of_set(balls, i), arcs.batch());
   }
   result.mean = balls.r[i] * surface.steradians(faces, boundary.loops(i).size()) - 0.5 * edges;
   result.gauss = gauss_of_ball(boundary, i);
