@@ -36,13 +36,6 @@ hsp_periodic_contact to_c(const hsp::PeriodicUnion &periodic, const hsp::Periodi
   return result;
 }
 
-hsp_winding to_winding(const hsp::Windings &windings, uint32_t component) {
-  hsp_winding result{};
-  result.first = windings.first_ball(component);
-  put_lattice(windings.lattice(component), result);
-  return result;
-}
-
 }  // namespace
 
 HSP_HANDLE_BY_BALLS(hsp_periodic);
@@ -148,7 +141,11 @@ int32_t hsp_periodic_get_windings(const hsp_periodic *periodic, hsp_winding *out
                                        [](const hsp_periodic &p) { return p.builder.counts().components; });
   if (status != HSP_OK) return status;
   const hsp::Windings &windings = periodic->builder.windings();
-  for (uint32_t c = 0; c < periodic->builder.counts().components; ++c) out[c] = to_winding(windings, c);
+  for (uint32_t c = 0; c < periodic->builder.counts().components; ++c) {
+    out[c] = {};
+    out[c].first = windings.first_ball(c);
+    put_lattice(windings.lattice(c), out[c]);
+  }
   for (uint32_t i = 0; i < periodic->balls(); ++i) ++out[windings.component(i)].balls;
   return HSP_OK;
 }

@@ -10,12 +10,14 @@ inline void put_shift(const BoxShift &shift, int32_t *out) {
   for (int k = 0; k < 3; ++k) out[k] = shift.k[k];
 }
 
-inline void put_lattice(const WindingLattice &lattice, hsp_winding &winding) {
+// Sets the directions, copies and rows of a record that is 0.
+template <class Record>
+void put_lattice(const WindingLattice &lattice, Record &record) {
   const uint64_t copies = lattice.copies();
-  winding.directions = lattice.rank;
-  winding.copies = copies == 0 || copies >= HSP_NONE ? HSP_NONE : static_cast<uint32_t>(copies);
+  record.directions = lattice.rank;
+  record.copies = copies == 0 || copies >= HSP_NONE ? HSP_NONE : static_cast<uint32_t>(copies);
   for (uint32_t r = 0; r < lattice.rank; ++r)
-    put_shift({{lattice.row[r][0], lattice.row[r][1], lattice.row[r][2]}}, winding.row + 3 * r);
+    put_shift({{lattice.row[r][0], lattice.row[r][1], lattice.row[r][2]}}, record.row + 3 * r);
 }
 
 // Lexicographic order.

@@ -9,10 +9,11 @@ using namespace hsp::capi;
 
 namespace {
 
-// The map in which h is a directed edge; null if there is none.
-const hsp::VisibilityMap *map_with(const hsp_map *map, uint32_t h) {
-  if (!is_live(map) || !map->has_results()) return nullptr;
-  return h < map->map().half_edges.size() ? &map->map() : nullptr;
+// step(map), or HSP_NONE if there are no results or no directed edge h.
+template <class Step>
+uint32_t take_step(const hsp_map *map, uint32_t h, Step step) {
+  if (!is_live(map) || !map->has_results()) return HSP_NONE;
+  return h < map->map().half_edges.size() ? step(map->map()) : HSP_NONE;
 }
 
 }  // namespace
@@ -27,28 +28,25 @@ int32_t hsp_map_compute(hsp_map *map, const hsp_model *model, const hsp_view_opt
 }
 
 uint32_t hsp_map_next(const hsp_map *map, uint32_t h) {
-  const hsp::VisibilityMap *const of = map_with(map, h);
-  return of == nullptr ? HSP_NONE : of->half_edges[h].next;
+  return take_step(map, h, [h](const hsp::VisibilityMap &of) { return of.half_edges[h].next; });
 }
 
 uint32_t hsp_map_previous(const hsp_map *map, uint32_t h) {
-  const hsp::VisibilityMap *const of = map_with(map, h);
-  return of == nullptr ? HSP_NONE : hsp::previous_half_edge(*of, h);
+  return take_step(map, h, [h](const hsp::VisibilityMap &of) { return hsp::previous_half_edge(of, h); });
 }
 
 uint32_t hsp_map_next_loop(const hsp_map *map, uint32_t h) {
-  const hsp::VisibilityMap *const of = map_with(map, h);
-  return of == nullptr ? HSP_NONE : of->loops[hsp::next_loop(*of, of->half_edges[h].loop)].first_half_edge;
+  return take_step(map, h, [h](const hsp::VisibilityMap &of) {
+    return of.loops[hsp::next_loop(of, of.half_edges[h].loop)].first_half_edge;
+  });
 }
 
 uint32_t hsp_map_origin(const hsp_map *map, uint32_t h) {
-  const hsp::VisibilityMap *const of = map_with(map, h);
-  return of == nullptr ? HSP_NONE : of->origin(h);
+  return take_step(map, h, [h](const hsp::VisibilityMap &of) { return of.origin(h); });
 }
 
 uint32_t hsp_map_left(const hsp_map *map, uint32_t h) {
-  const hsp::VisibilityMap *const of = map_with(map, h);
-  return of == nullptr ? HSP_NONE : of->face_of(h);
+  return take_step(map, h, [h](const hsp::VisibilityMap &of) { return of.face_of(h); });
 }
 
 int32_t hsp_map_check(hsp_map *map, uint32_t *invariant, uint32_t *id) {

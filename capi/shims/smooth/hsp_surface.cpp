@@ -1,8 +1,19 @@
 #include "hsp_surface.hpp"
+
+#include "compute_from.hpp"
 #include "gradient_arrays.hpp"
 #include "measure/tangency.hpp"
 #include "surface/degenerate_balls.hpp"
 #include "surface/surface_gradients.hpp"
+
+namespace hsp::capi {
+
+static int32_t read_request(const hsp_surface_request *given, hsp_surface_request &request, Executor &executor) {
+  const int32_t status = read_request(given, request);
+  return status == HSP_OK ? executor.read(request.executor) : status;
+}
+
+}  // namespace hsp::capi
 
 using namespace hsp::capi;
 
@@ -33,25 +44,15 @@ void flag_degenerate_balls(const hsp::CubeGrid &grid, const hsp::Boundary &bound
 
 int32_t compute(hsp_surface *surface, const hsp_boundary *boundary, const hsp_surface_request *request,
                 hsp_surface_limits *limits) {
-  LibraryArithmetic arithmetic;
-  if (const int32_t status = check_handle(surface); status != HSP_OK) return status;
-  surface->complete = false;
-  hsp_surface_request asked;
-  Executor executor(arithmetic);
-  if (const int32_t status = first_failure(check_handle(boundary), check_struct(limits), read_request(request, asked));
-      status != HSP_OK)
-    return status;
-  if (const int32_t status = executor.read(asked.executor); status != HSP_OK) return status;
-  if (!boundary->has_results()) return HSP_E_STATE;
-  const hsp::Span<const uint32_t> chosen(asked.shells, asked.shells == nullptr ? 0 : asked.count);
-  for (const uint32_t shell : chosen) {
-    if (shell >= boundary->structure().shell_count()) return HSP_E_ID;
-  }
-  hsp::SurfaceBuilder &builder = surface->builder;
-  const hsp::Status status = builder.build(boundary->balls(), boundary->structure(), hsp::Patience(&executor),
-                                           asked.shells == nullptr ? nullptr : &chosen);
-  surface->boundary.set(boundary);
-  return finish(*surface, status, limits);
+  return compute_from(surface, boundary, request, limits, [&](const hsp_surface_request &asked, Executor &executor) {
+    const hsp::Span<const uint32_t> chosen(asked.shells, asked.shells == nullptr ? 0 : asked.count);
+    for (const uint32_t shell : chosen) {
+      if (shell >= boundary->structure().shell_count()) return hsp::Status::id;
+    }
+    surface->boundary.set(boundary);
+    return surface->builder.build(boundary->balls(), boundary->structure(), hsp::Patience(&executor),
+                                  asked.shells == nullptr ? nullptr : &chosen);
+  });
 }
 
 }  // namespace

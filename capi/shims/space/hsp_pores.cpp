@@ -109,16 +109,10 @@ int32_t compute(hsp_pores *pores, const Source *source, const hsp_pores_options 
 }
 
 hsp_pore_channel to_channel(const hsp_pores &pores, const hsp::Windings &joined, uint32_t component) {
-  const hsp_winding winding = winding_of(pores, joined.lattice(component));
-  const uint32_t maximum = joined.first_ball(component) - 1;
-  hsp_pore_channel channel{pores.lattice().length(pores.maxima()[maximum].point.level),
-                           maximum,
-                           0,
-                           winding.directions,
-                           winding.copies,
-                           {},
-                           0};
-  for (int k = 0; k < 9; ++k) channel.row[k] = winding.row[k];
+  hsp_pore_channel channel{};
+  channel.maximum = joined.first_ball(component) - 1;
+  channel.radius = radius_at(pores, pores.maxima(), channel.maximum);
+  put_windings(pores, joined.lattice(component), channel);
   return channel;
 }
 
@@ -212,8 +206,7 @@ int32_t hsp_pores_get_maxima(const hsp_pores *pores, uint32_t first, uint32_t co
     hsp_pore_maximum &record = out[k];
     put_position(*pores, maximum.point.position, record.xyz);
     record.radius = pores->lattice().length(maximum.point.level);
-    record.death = maximum.gate == hsp::no_id ? floor_of(*pores)
-                                              : pores->lattice().length(pores->gates()[maximum.gate].point.level);
+    record.death = radius_at(*pores, pores->gates(), maximum.gate);
     for (int b = 0; b < 4; ++b) record.ball[b] = maximum.point.ball[b];
     record.gate = maximum.gate;
     record.parent = maximum.into;
@@ -281,18 +274,15 @@ int32_t hsp_pores_get_percolation(const hsp_pores *pores, hsp_pore_percolation *
   LibraryArithmetic arithmetic;
   if (const int32_t status = check_results(pores, percolation == nullptr); status != HSP_OK) return status;
   const hsp::PorePassages &passages = pores->builder.pores().passages();
-  const auto radius_at = [&](const auto &points, uint32_t k) {
-    return k == hsp::no_id ? floor_of(*pores) : pores->lattice().length(points[k].point.level);
-  };
-  percolation->largest = radius_at(pores->maxima(), pores->maxima().size() > 0 ? 0 : hsp::no_id);
+  percolation->largest = radius_at(*pores, pores->maxima(), pores->maxima().size() > 0 ? 0 : hsp::no_id);
   percolation->reserved = 0;
   for (int d = 0; d < 3; ++d) {
     percolation->gate[d] = passages.gate[d];
     percolation->maximum[d] = passages.maximum[d];
     percolation->gate_along[d] = passages.gate_along[d];
-    percolation->through[d] = radius_at(pores->gates(), passages.gate[d]);
-    percolation->included[d] = radius_at(pores->maxima(), passages.maximum[d]);
-    percolation->along[d] = radius_at(pores->gates(), passages.gate_along[d]);
+    percolation->through[d] = radius_at(*pores, pores->gates(), passages.gate[d]);
+    percolation->included[d] = radius_at(*pores, pores->maxima(), passages.maximum[d]);
+    percolation->along[d] = radius_at(*pores, pores->gates(), passages.gate_along[d]);
   }
   return HSP_OK;
 }

@@ -28,22 +28,17 @@ int32_t get_pocket_list(const hsp_pores *pores, uint32_t pocket, uint32_t *out, 
 }
 
 hsp_pore_region to_region(const hsp_pores &pores, const hsp::PoreRegion &region) {
-  const hsp_winding winding = winding_of(pores, region.lattice);
   const hsp::exact::Lattice &lattice = pores.lattice();
-  hsp_pore_region record{region.maximum == hsp::pore_outside
-                             ? std::numeric_limits<double>::infinity()
-                             : lattice.length(pores.maxima()[region.maximum].point.level),
-                         lattice.area(region.area),
-                         lattice.volume(region.volume),
-                         region.maximum,
-                         region.maxima,
-                         region.shells,
-                         region.is_accessible() ? 1U : 0U,
-                         winding.directions,
-                         winding.copies,
-                         {},
-                         0};
-  for (int k = 0; k < 9; ++k) record.row[k] = winding.row[k];
+  const bool outside = region.maximum == hsp::pore_outside;
+  hsp_pore_region record{};
+  record.radius = outside ? std::numeric_limits<double>::infinity() : radius_at(pores, pores.maxima(), region.maximum);
+  record.area = lattice.area(region.area);
+  record.volume = lattice.volume(region.volume);
+  record.maximum = region.maximum;
+  record.maxima = region.maxima;
+  record.shells = region.shells;
+  record.accessible = region.is_accessible() ? 1 : 0;
+  put_windings(pores, region.lattice, record);
   return record;
 }
 
@@ -182,9 +177,8 @@ int32_t hsp_pores_get_pockets(const hsp_pores *pores, uint32_t first, uint32_t c
   const hsp::PocketFinder &finder = pores->builder.pockets();
   for (uint32_t k = 0; k < count; ++k) {
     const hsp::Pocket &pocket = finder.pockets()[first + k];
-    out[k] = {pores->lattice().length(pores->maxima()[pocket.maximum].point.level),
-              pocket.mouth == hsp::no_id ? floor_of(*pores)
-                                         : pores->lattice().length(pores->gates()[pocket.mouth].point.level),
+    out[k] = {radius_at(*pores, pores->maxima(), pocket.maximum),
+              radius_at(*pores, pores->gates(), pocket.mouth),
               pocket.maximum,
               pocket.mouth,
               finder.maxima(pocket).size(),

@@ -14,6 +14,12 @@ inline double floor_of(const hsp_pores &pores) {
   return pores.lattice().length(static_cast<double>(pores.builder.floor()));
 }
 
+// The radius at a maximum or gate; at none, which is no_id, the floor.
+template <class Points>
+double radius_at(const hsp_pores &pores, const Points &points, uint32_t k) {
+  return k == no_id ? floor_of(pores) : pores.lattice().length(points[k].point.level);
+}
+
 // A place in the caller's unit, but in the frame of the box.
 inline Vec3 lengths_of(const hsp_pores &pores, const Vec3 &place) {
   const exact::Lattice &lattice = pores.lattice();
@@ -65,17 +71,16 @@ int32_t get_list(const hsp_pores *pores, uint32_t record, T *out, uint32_t capac
 
 inline constexpr auto as_it_is = [](const auto &item) { return item; };
 
-// The directions in which a class goes on for ever, in the given vectors of the box.
-inline hsp_winding winding_of(const hsp_pores &pores, const WindingLattice &lattice) {
+// Puts the directions in which a class goes on for ever, in the given vectors of the box, into a record that has none.
+template <class Record>
+void put_windings(const hsp_pores &pores, const WindingLattice &lattice, Record &record) {
   WindingLattice in_given;
   for (uint32_t r = 0; r < lattice.rank; ++r) {
     const auto &row = lattice.row[r];
     const BoxShift given = pores.given({{row[0], row[1], row[2]}});
     static_cast<void>(in_given.add({given.k[0], given.k[1], given.k[2]}));
   }
-  hsp_winding winding{};
-  put_lattice(in_given, winding);
-  return winding;
+  put_lattice(in_given, record);
 }
 
 }  // namespace hsp::capi
