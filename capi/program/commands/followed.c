@@ -74,11 +74,8 @@ static bool add_likenesses(uint32_t number, const struct followed_cavity *known,
     const uint32_t fewer = own < known->ball_count ? own : known->ball_count;
     shared[c] = 0;
     if (2 * (uint64_t)both < fewer || !done) continue;
-    struct likeness *const more = array_with_room(found->of, sizeof *more, found->count, &found->room);
-    done = more != NULL;
-    if (!done) continue;
-    found->of = more;
-    more[found->count++] = (struct likeness){number, c, both, (uint64_t)own + known->ball_count - both};
+    const struct likeness likeness = {number, c, both, (uint64_t)own + known->ball_count - both};
+    done = array_append(&found->of, &found->count, &found->room, &likeness, sizeof likeness);
   }
   return done;
 }
@@ -137,11 +134,8 @@ static bool find_changes(struct followed *followed, struct cavity *cavities, uin
 /* Keep a cavity as it is in this frame, under its number, which may be a new one. */
 static bool keep(struct followed *followed, struct cavity *cavity) {
   if (cavity->number == 0) {
-    struct followed_cavity *const more =
-        array_with_room(followed->known, sizeof *more, followed->numbers, &followed->room);
-    if (more == NULL) return false;
-    followed->known = more;
-    more[followed->numbers] = (struct followed_cavity){.balls = NULL};
+    if (!array_make_room(&followed->known, followed->numbers, &followed->room, sizeof *followed->known)) return false;
+    followed->known[followed->numbers] = (struct followed_cavity){.balls = NULL};
     cavity->number = ++followed->numbers;
   }
   struct followed_cavity *const known = &followed->known[cavity->number - 1];
@@ -153,12 +147,8 @@ static bool keep(struct followed *followed, struct cavity *cavity) {
 }
 
 static bool keep_volume(struct followed *followed, uint64_t frame, const struct cavity *cavity) {
-  struct followed_volume *const more =
-      array_with_room(followed->volumes, sizeof *more, followed->volume_count, &followed->volume_room);
-  if (more == NULL) return false;
-  followed->volumes = more;
-  more[followed->volume_count++] = (struct followed_volume){frame, followed->frames, cavity->number, cavity->volume};
-  return true;
+  const struct followed_volume volume = {frame, followed->frames, cavity->number, cavity->volume};
+  return array_append(&followed->volumes, &followed->volume_count, &followed->volume_room, &volume, sizeof volume);
 }
 
 bool followed_take(struct followed *followed, const struct molecule *molecule, struct cavity *cavities, uint32_t count,

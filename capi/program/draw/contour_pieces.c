@@ -6,12 +6,8 @@
 #include "read/growing_array.h"
 
 void contour_pieces_add(struct contour_pieces *pieces, const struct contour_piece *piece) {
-  if (pieces->out_of_memory) return;
-  struct contour_piece *const grown = array_with_room(pieces->piece, sizeof *grown, pieces->count, &pieces->room);
-  pieces->out_of_memory = grown == NULL;
-  if (grown == NULL) return;
-  pieces->piece = grown;
-  pieces->piece[pieces->count++] = *piece;
+  pieces->out_of_memory =
+      pieces->out_of_memory || !array_append(&pieces->piece, &pieces->count, &pieces->room, piece, sizeof *piece);
 }
 
 void contour_pieces_free(struct contour_pieces *pieces) {

@@ -60,9 +60,7 @@ static int compare(const void *left, const void *right) {
 
 /* One more than is asked for, as between n hidden parts there are n + 1 others. */
 static bool make_room(struct hidden_lines *lines) {
-  struct span *const grown = array_with_room(lines->span, sizeof *grown, lines->spans + 1, &lines->room);
-  if (grown != NULL) lines->span = grown;
-  return grown != NULL;
+  return array_make_room(&lines->span, lines->spans + 1, &lines->room, sizeof *lines->span);
 }
 
 /* In place: the gap before a hidden part is written where an earlier one was read, as there is one more at the end. */

@@ -9,12 +9,8 @@
 static const double taper = 6.0;
 
 void creases_add(struct creases *creases, const struct crease *crease) {
-  if (creases->out_of_memory) return;
-  struct crease *const grown = array_with_room(creases->crease, sizeof *grown, creases->count, &creases->room);
-  creases->out_of_memory = grown == NULL;
-  if (grown == NULL) return;
-  creases->crease = grown;
-  creases->crease[creases->count++] = *crease;
+  creases->out_of_memory = creases->out_of_memory ||
+                           !array_append(&creases->crease, &creases->count, &creases->room, crease, sizeof *crease);
 }
 
 void creases_free(struct creases *creases) {

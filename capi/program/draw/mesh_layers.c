@@ -79,12 +79,8 @@ struct pairs {
 };
 
 static bool add_pair(struct pairs *pairs, uint32_t lower, uint32_t upper) {
-  uint32_t(*const grown)[2] = array_with_room(pairs->pair, sizeof *grown, pairs->count, &pairs->room);
-  if (grown == NULL) return false;
-  pairs->pair = grown;
-  pairs->pair[pairs->count][0] = lower;
-  pairs->pair[pairs->count++][1] = upper;
-  return true;
+  const uint32_t pair[2] = {lower, upper};
+  return array_append(&pairs->pair, &pairs->count, &pairs->room, pair, sizeof pair);
 }
 
 /* Boxes that meet have one square in which their common part begins. */

@@ -16,11 +16,7 @@ static const double slack_squared[2] = {1.0, 30.0}, slack_squared_of_lines = 0.5
 
 void painted_edges_add(struct painted_edges *edges, const struct painted_edge *edge) {
   if (memcmp(edge->from, edge->to, sizeof edge->from) == 0 || edges->out_of_memory) return;
-  struct painted_edge *const grown = array_with_room(edges->edge, sizeof *grown, edges->count, &edges->room);
-  edges->out_of_memory = grown == NULL;
-  if (grown == NULL) return;
-  edges->edge = grown;
-  edges->edge[edges->count++] = *edge;
+  edges->out_of_memory = !array_append(&edges->edge, &edges->count, &edges->room, edge, sizeof *edge);
 }
 
 static int compare_points(const int32_t a[2], const int32_t b[2]) {

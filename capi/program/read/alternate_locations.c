@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "read/growing_array.h"
 #include "read/words.h"
 
 struct seen_location {
@@ -56,13 +57,9 @@ static bool same_key(const struct seen_location *a, const struct seen_location *
 
 /* Make room for one more, in the list and in the table, half of which stays empty. */
 static bool reserve(struct alternate_locations *locations) {
-  if (locations->count == locations->room) {
-    const size_t room = locations->room == 0 ? 512 : 2 * (size_t)locations->room;
-    if (room > UINT32_MAX || room > SIZE_MAX / sizeof *locations->seen) return false;
-    struct seen_location *seen = realloc(locations->seen, room * sizeof *seen);
-    if (seen == NULL) return false;
-    locations->seen = seen;
-    locations->room = (uint32_t)room;
+  if (locations->count == UINT32_MAX ||
+      !array_make_room(&locations->seen, locations->count, &locations->room, sizeof *locations->seen)) {
+    return false;
   }
   if (2 * ((size_t)locations->count + 1) <= locations->capacity) return true;
   const size_t capacity = locations->capacity == 0 ? 1024 : 2 * locations->capacity;
@@ -108,13 +105,9 @@ static bool note_waiting(struct alternate_locations *locations, uint32_t atom, c
   struct residue_visit *visit = locations->visits > 0 ? &locations->visit[locations->visits - 1] : NULL;
   /* One that is in the table may have been shown. */
   if (visit == NULL || locations->numbered == locations->visits || !goes_on(visit, place, residue)) {
-    if (locations->visits == locations->visit_room) {
-      const size_t room = locations->visit_room == 0 ? 128 : 2 * (size_t)locations->visit_room;
-      if (room > UINT32_MAX || room > SIZE_MAX / sizeof *visit) return false;
-      visit = realloc(locations->visit, room * sizeof *visit);
-      if (visit == NULL) return false;
-      locations->visit = visit;
-      locations->visit_room = (uint32_t)room;
+    if (locations->visits == UINT32_MAX ||
+        !array_make_room(&locations->visit, locations->visits, &locations->visit_room, sizeof *visit)) {
+      return false;
     }
     visit = &locations->visit[locations->visits++];
     *visit = (struct residue_visit){.place = *place, .first = atom};

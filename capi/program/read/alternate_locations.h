@@ -27,11 +27,12 @@ struct residue_visit;
 struct alternate_locations {
   struct seen_location *seen;
   uint32_t count;
-  uint32_t room;
+  size_t room;
   struct location_slot *slots;
   size_t capacity; /* a power of two, or 0 */
   struct residue_visit *visit;
-  uint32_t visits, visit_room;
+  uint32_t visits;
+  size_t visit_room;
   uint32_t numbered; /* visits that are in the table of residues */
   uint32_t *residue; /* table of the first visits of residues, counted from 1 */
   size_t residues;   /* its size, a power of two, or 0 */

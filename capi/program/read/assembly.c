@@ -25,25 +25,17 @@ static struct assembly_part *add_part(struct assemblies *assemblies, struct fiel
     assemblies->unreadable = true;
     free_part(&assemblies->part[--assemblies->parts]);
   }
-  struct assembly_part *const grown =
-      array_with_room(assemblies->part, sizeof *grown, assemblies->parts, &assemblies->part_room);
-  if (grown == NULL) return NULL;
-  assemblies->part = grown;
-  struct assembly_part *const part = &grown[assemblies->parts++];
-  memset(part, 0, sizeof *part);
-  label_copy(part->name, sizeof part->name, name);
-  part->first = assemblies->count;
-  return part;
+  struct assembly_part part = {.first = assemblies->count};
+  label_copy(part.name, sizeof part.name, name);
+  const bool added = array_append(&assemblies->part, &assemblies->parts, &assemblies->part_room, &part, sizeof part);
+  return added ? &assemblies->part[assemblies->parts - 1] : NULL;
 }
 
 static struct assembly_operator *add_operator(struct assemblies *assemblies, struct field name) {
-  struct assembly_operator *const grown =
-      array_with_room(assemblies->operators, sizeof *grown, assemblies->count, &assemblies->room);
-  if (grown == NULL) return NULL;
-  assemblies->operators = grown;
-  memset(&grown[assemblies->count], 0, sizeof *grown);
-  label_copy(grown[assemblies->count].name, sizeof grown->name, name);
-  return &grown[assemblies->count++];
+  struct assembly_operator one = {.name = ""};
+  label_copy(one.name, sizeof one.name, name);
+  const bool added = array_append(&assemblies->operators, &assemblies->count, &assemblies->room, &one, sizeof one);
+  return added ? &assemblies->operators[assemblies->count - 1] : NULL;
 }
 
 static bool is_separator(char c) {
@@ -133,11 +125,7 @@ static bool list_add(struct operator_list *list, const struct symmetry_operator 
   if (list->count == MOST_OPERATORS) {
     return failure_in_input(failure, 0, "an assembly of more than %d operators", (int)MOST_OPERATORS);
   }
-  struct symmetry_operator *const grown = array_with_room(list->of, sizeof *grown, list->count, &list->room);
-  if (grown == NULL) return failure_of_memory(failure);
-  list->of = grown;
-  list->of[list->count++] = *added;
-  return true;
+  return array_append(&list->of, &list->count, &list->room, added, sizeof *added) || failure_of_memory(failure);
 }
 
 /* The operator that does what `first` does, and then `second`. */

@@ -3,10 +3,14 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-void *array_grown(void *array, size_t size, size_t *room) {
-  if (*room > SIZE_MAX / 2 / size) return NULL;
+bool array_grow(void *array, size_t *room, size_t size) {
+  void *items;
+  if (*room > SIZE_MAX / 2 / size) return false;
   const size_t more = *room == 0 ? 64 : 2 * *room;
-  void *const grown = realloc(array, more * size);
-  if (grown != NULL) *room = more;
-  return grown;
+  memcpy(&items, array, sizeof items); /* whatever it points to */
+  void *const grown = realloc(items, more * size);
+  if (grown == NULL) return false;
+  memcpy(array, &grown, sizeof grown);
+  *room = more;
+  return true;
 }

@@ -9,21 +9,14 @@
 #include "read/number.h"
 
 static bool begin_group(struct index_file *file, struct field name, struct failure *failure) {
-  struct index_group *const grown = array_with_room(file->group, sizeof *grown, file->count, &file->capacity);
-  if (grown == NULL) return failure_of_memory(failure);
-  file->group = grown;
-  struct index_group *const group = &file->group[file->count++];
-  memset(group, 0, sizeof *group);
-  label_copy(group->name, sizeof group->name, name);
-  return true;
+  struct index_group group = {.count = 0};
+  label_copy(group.name, sizeof group.name, name);
+  return array_append(&file->group, &file->count, &file->capacity, &group, sizeof group) || failure_of_memory(failure);
 }
 
 static bool add_atom(struct index_group *group, uint32_t place, struct failure *failure) {
-  uint32_t *const grown = array_with_room(group->place, sizeof *grown, group->count, &group->capacity);
-  if (grown == NULL) return failure_of_memory(failure);
-  group->place = grown;
-  group->place[group->count++] = place;
-  return true;
+  return array_append(&group->place, &group->count, &group->capacity, &place, sizeof place) ||
+         failure_of_memory(failure);
 }
 
 static int order_of_places(const void *left, const void *right) {

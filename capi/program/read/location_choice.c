@@ -18,18 +18,13 @@ struct located_atom {
 bool location_choice_add(struct location_choice *choice, const struct molecule *molecule,
                          const struct residue_place *place, const char *name, const char *residue,
                          struct field location, struct field occupancy, struct failure *failure) {
-  struct located_atom *const grown = array_with_room(choice->located, sizeof *grown, choice->count, &choice->room);
-  if (grown == NULL) return failure_of_memory(failure);
-  choice->located = grown;
-  struct located_atom *const added = &grown[choice->count++];
-  memset(added, 0, sizeof *added);
-  added->place = *place;
-  added->atom = molecule->atoms - 1;
-  memcpy(added->name, name, sizeof added->name);
-  memcpy(added->residue, residue, sizeof added->residue);
-  label_copy(added->location, sizeof added->location, location);
-  if (number_parse(occupancy.text, occupancy.length, &added->occupancy) != NUMBER_OK) added->occupancy = 1.0;
-  return true;
+  struct located_atom added = {.place = *place, .atom = molecule->atoms - 1};
+  memcpy(added.name, name, sizeof added.name);
+  memcpy(added.residue, residue, sizeof added.residue);
+  label_copy(added.location, sizeof added.location, location);
+  if (number_parse(occupancy.text, occupancy.length, &added.occupancy) != NUMBER_OK) added.occupancy = 1.0;
+  return array_append(&choice->located, &choice->count, &choice->room, &added, sizeof added) ||
+         failure_of_memory(failure);
 }
 
 static int order_of_atoms(const struct located_atom *a, const struct located_atom *b) {

@@ -200,12 +200,8 @@ struct residue_label *molecule_last_residue(const struct molecule *molecule) {
 }
 
 bool molecule_add_bond(struct molecule *molecule, const struct stated_bond *bond, struct failure *failure) {
-  struct stated_bond *const grown =
-      array_with_room(molecule->bond, sizeof *grown, molecule->bonds, &molecule->bond_capacity);
-  if (grown == NULL) return failure_of_memory(failure);
-  molecule->bond = grown;
-  molecule->bond[molecule->bonds++] = *bond;
-  return true;
+  return array_append(&molecule->bond, &molecule->bonds, &molecule->bond_capacity, bond, sizeof *bond) ||
+         failure_of_memory(failure);
 }
 
 /* Elements without a radius, each with its first line and its atoms. */

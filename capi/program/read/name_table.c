@@ -18,9 +18,9 @@ static uint32_t *slot_of(const struct name_table *table, const struct table_name
 
 /* Room for one more name; half of the slots stay empty. */
 static bool reserve(struct name_table *table) {
-  struct table_name *const grown = array_with_room(table->names, sizeof *grown, table->count, &table->room);
-  if (grown == NULL || table->count >= UINT32_MAX) return false;
-  table->names = grown;
+  if (table->count >= UINT32_MAX || !array_make_room(&table->names, table->count, &table->room, sizeof *table->names)) {
+    return false;
+  }
   if (2 * (table->count + 1) <= table->capacity) return true;
   const size_t capacity = table->capacity == 0 ? 128 : 2 * table->capacity;
   uint32_t *const slots = calloc(capacity, sizeof *slots);

@@ -62,11 +62,8 @@ bool pdb_names_note(struct pdb_names *names, const char *text, struct molecule *
   if (way == LONG_RESIDUE) ++names->long_residues;
   if (way == LONG_CHAIN && text[19] != ' ') ++names->long_chains;
   if (text[19] == ' ' || text[21] == ' ') return true;
-  struct residue_label **const grown = array_with_room(names->either, sizeof *grown, names->count, &names->room);
-  if (grown == NULL) return failure_of_memory(failure);
-  names->either = grown;
-  names->either[names->count++] = residue;
-  return true;
+  return array_append(&names->either, &names->count, &names->room, &residue, sizeof residue) ||
+         failure_of_memory(failure);
 }
 
 void pdb_names_number(struct pdb_names *names, uint64_t ends, const char *atom, struct residue_label *residue) {

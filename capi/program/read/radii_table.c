@@ -61,12 +61,8 @@ static bool names_hydrogen(const char *atom) {
 /* An entry that has neither type nor radius yet; NULL: it cannot be added. */
 static hsp_residue_atom *add_entry(struct reading *reading, struct field residue, struct field atom) {
   struct radii_table *table = reading->table;
-  void *const entries = array_with_room(table->entries, sizeof *table->entries, table->count, &table->capacity);
-  if (entries != NULL) table->entries = entries;
-  void *const sources =
-      array_with_room(reading->sources, sizeof *reading->sources, table->count, &reading->source_capacity);
-  if (sources != NULL) reading->sources = sources;
-  if (entries == NULL || sources == NULL) {
+  if (!array_make_room(&table->entries, table->count, &table->capacity, sizeof *table->entries) ||
+      !array_make_room(&reading->sources, table->count, &reading->source_capacity, sizeof *reading->sources)) {
     failure_of_memory(reading->failure);
     return NULL;
   }
@@ -159,10 +155,9 @@ bool radii_table_make(struct radii_table *table, uint32_t set, struct failure *f
 static bool read_type(struct reading *reading, const struct field *part, size_t count) {
   const uint64_t line = reading->reader->number;
   if (count != 2 && count != 3) return failure_in_input(reading->failure, line, "expected a type and its radius");
-  struct radii_type *const grown =
-      array_with_room(reading->types, sizeof *grown, reading->type_count, &reading->type_capacity);
-  if (grown == NULL) return failure_of_memory(reading->failure);
-  reading->types = grown;
+  if (!array_make_room(&reading->types, reading->type_count, &reading->type_capacity, sizeof *reading->types)) {
+    return failure_of_memory(reading->failure);
+  }
   struct radii_type *type = &reading->types[reading->type_count];
   if (!copy_name(type->name.text, sizeof type->name.text, part[0])) {
     return failure_in_input(reading->failure, line, "a name of more than %d characters",

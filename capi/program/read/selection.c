@@ -31,12 +31,8 @@ struct selection_item {
 };
 
 static bool add_item(struct selection *selection, const struct selection_item *item, struct failure *failure) {
-  struct selection_item *const grown =
-      array_with_room(selection->items, sizeof *grown, selection->count, &selection->capacity);
-  if (grown == NULL) return failure_of_memory(failure);
-  selection->items = grown;
-  selection->items[selection->count++] = *item;
-  return true;
+  return array_append(&selection->items, &selection->count, &selection->capacity, item, sizeof *item) ||
+         failure_of_memory(failure);
 }
 
 /* A whole number at the beginning of the text; its length, or 0. */

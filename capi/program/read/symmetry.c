@@ -26,12 +26,8 @@ static bool give_up(struct symmetry *symmetry) {
 
 static bool add_operator(struct symmetry *symmetry, const struct symmetry_operator *added, struct failure *failure) {
   if (symmetry->count == MOST_OPERATORS) return give_up(symmetry);
-  struct symmetry_operator *const grown =
-      array_with_room(symmetry->operators, sizeof *grown, symmetry->count, &symmetry->capacity);
-  if (grown == NULL) return failure_of_memory(failure);
-  symmetry->operators = grown;
-  symmetry->operators[symmetry->count++] = *added;
-  return true;
+  return array_append(&symmetry->operators, &symmetry->count, &symmetry->capacity, added, sizeof *added) ||
+         failure_of_memory(failure);
 }
 
 bool symmetry_row(const struct field *field, size_t fields, size_t row, struct symmetry_operator *out) {
