@@ -77,6 +77,10 @@ bool option_value(struct reading *reading, const struct option *option, const ch
   return failure_in_usage(reading->failure, "%s needs %s", option->name, what == NULL ? "a number" : what);
 }
 
+bool option_value_once(struct reading *reading, const struct option *option, bool given, const char **value) {
+  return option_value(reading, option, value) && (!given || option_given_twice(reading, option));
+}
+
 bool option_number(const struct reading *reading, const struct option *option, const char *text, double *value) {
   const enum number_status status = number_parse(text, strlen(text), value);
   if (status == NUMBER_OK) return true;
@@ -166,8 +170,7 @@ bool take_length(struct reading *reading, const struct option *option, const cha
 
 bool take_number(struct reading *reading, const struct option *option, const char *value) {
   double *const number = target_of(reading, option);
-  if (!option_value(reading, option, &value)) return false;
-  if (*number >= 0.0) return option_given_twice(reading, option);
+  if (!option_value_once(reading, option, *number >= 0.0, &value)) return false;
   if (!option_number(reading, option, value, number)) return false;
   if (*number >= 0.0 && *number <= option->most && !(option->positive && *number == 0.0)) return true;
   return failure_in_usage(reading->failure, "%s must be %s %.0f", option->name,
@@ -177,8 +180,7 @@ bool take_number(struct reading *reading, const struct option *option, const cha
 bool take_count(struct reading *reading, const struct option *option, const char *value) {
   uint32_t *const target = target_of(reading, option);
   uint64_t count = 0;
-  if (!option_value(reading, option, &value)) return false;
-  if (*target > 0) return option_given_twice(reading, option);
+  if (!option_value_once(reading, option, *target > 0, &value)) return false;
   const bool read = number_parse_count(value, strlen(value), &count) == NUMBER_OK;
   *target = (uint32_t)count;
   if (read && count >= 1 && (double)count <= option->most) return true;
@@ -187,8 +189,7 @@ bool take_count(struct reading *reading, const struct option *option, const char
 
 bool take_choice(struct reading *reading, const struct option *option, const char *value) {
   int *const choice = target_of(reading, option);
-  if (!option_value(reading, option, &value)) return false;
-  if (*choice >= option->first) return option_given_twice(reading, option);
+  if (!option_value_once(reading, option, *choice >= option->first, &value)) return false;
   const int place = option_word(option, value);
   if (place >= 0) {
     *choice = option->first + place;
@@ -203,8 +204,7 @@ bool take_choice(struct reading *reading, const struct option *option, const cha
 
 bool take_text(struct reading *reading, const struct option *option, const char *value) {
   const char **const text = target_of(reading, option);
-  if (!option_value(reading, option, &value)) return false;
-  if (*text != NULL) return option_given_twice(reading, option);
+  if (!option_value_once(reading, option, *text != NULL, &value)) return false;
   *text = value;
   return true;
 }
@@ -247,8 +247,7 @@ bool take_direction(struct reading *reading, const struct option *option, const 
 bool take_colour(struct reading *reading, const struct option *option, const char *value) {
   int *const colour = target_of(reading, option);
   const bool or_none = option->words != NULL;
-  if (!option_value(reading, option, &value)) return false;
-  if (*colour >= 0) return option_given_twice(reading, option);
+  if (!option_value_once(reading, option, *colour >= 0, &value)) return false;
   *colour = or_none && strcmp(value, option->words) == 0 ? DRAWING_NO_BACKGROUND : option_rgb(value);
   char shown[EXCERPT_BYTES];
   return *colour >= 0 ||

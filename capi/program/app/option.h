@@ -80,6 +80,9 @@ bool option_given_twice(const struct reading *reading, const struct option *opti
 /* The value, behind '=' or as the next argument. False: there is none. */
 bool option_value(struct reading *reading, const struct option *option, const char **value);
 
+/* The same for an option that may be given once; given: whether it was before. */
+bool option_value_once(struct reading *reading, const struct option *option, bool given, const char **value);
+
 /* The place of a word among those that the option takes, from 0 on; -1: it is none of them. */
 int option_word(const struct option *option, const char *word);
 

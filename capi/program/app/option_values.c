@@ -23,8 +23,7 @@ bool take_format(struct reading *reading, const struct option *option, const cha
 
 bool take_radii(struct reading *reading, const struct option *option, const char *value) {
   struct request *request = reading->request;
-  if (!option_value(reading, option, &value)) return false;
-  if (reading->radii_seen) return option_given_twice(reading, option);
+  if (!option_value_once(reading, option, reading->radii_seen, &value)) return false;
   reading->radii_seen = true;
   const struct radii_set *set = radii_set_find(value);
   if (set != NULL) {
@@ -55,8 +54,7 @@ bool take_radius(struct reading *reading, const struct option *option, const cha
 }
 
 bool take_probe(struct reading *reading, const struct option *option, const char *value) {
-  if (!option_value(reading, option, &value)) return false;
-  if (reading->probe_seen) return option_given_twice(reading, option);
+  if (!option_value_once(reading, option, reading->probe_seen, &value)) return false;
   reading->probe_seen = true;
   return take_length(reading, option, value);
 }
@@ -74,8 +72,7 @@ bool take_atoms(struct reading *reading, const struct option *option, const char
 
 bool take_model(struct reading *reading, const struct option *option, const char *value) {
   uint64_t *model = &reading->request->choice.model;
-  if (!option_value(reading, option, &value)) return false;
-  if (reading->request->model_given) return option_given_twice(reading, option);
+  if (!option_value_once(reading, option, reading->request->model_given, &value)) return false;
   reading->request->model_given = true;
   if (number_parse_count(value, strlen(value), model) == NUMBER_OK && *model > 0 && *model < EVERY_MODEL) return true;
   char shown[EXCERPT_BYTES];
@@ -86,8 +83,7 @@ bool take_model(struct reading *reading, const struct option *option, const char
 /* One of the words, or a letter. */
 bool take_location(struct reading *reading, const struct option *option, const char *value) {
   struct request *request = reading->request;
-  if (!option_value(reading, option, &value)) return false;
-  if (request->location_given) return option_given_twice(reading, option);
+  if (!option_value_once(reading, option, request->location_given, &value)) return false;
   request->location_given = true;
   const int word = option_word(option, value);
   request->choice.location = word >= 0 ? (char)(LOCATION_FIRST + word) : value[0];
@@ -109,15 +105,13 @@ bool take_chains(struct reading *reading, const struct option *option, const cha
 
 bool take_groups(struct reading *reading, const struct option *option, const char *value) {
   struct selection_groups *const groups = (void *)((char *)reading->request + option->target);
-  if (!option_value(reading, option, &value)) return false;
-  if (groups->text != NULL) return option_given_twice(reading, option);
+  if (!option_value_once(reading, option, groups->text != NULL, &value)) return false;
   return selection_groups_parse(groups, option->name, value, reading->failure);
 }
 
 bool take_frames(struct reading *reading, const struct option *option, const char *value) {
   struct request *request = reading->request;
-  if (!option_value(reading, option, &value)) return false;
-  if (request->frames_given) return option_given_twice(reading, option);
+  if (!option_value_once(reading, option, request->frames_given, &value)) return false;
   request->frames_given = true;
   return frame_range_parse(&request->frames, value, reading->failure);
 }
@@ -125,8 +119,7 @@ bool take_frames(struct reading *reading, const struct option *option, const cha
 /* A time, or a positive one between frames; the request has no finite time, or no interval, where none is given. */
 bool take_real(struct reading *reading, const struct option *option, const char *value) {
   double *const number = (void *)((char *)reading->request + option->target);
-  if (!option_value(reading, option, &value)) return false;
-  if (option->positive ? *number > 0.0 : is_finite(*number)) return option_given_twice(reading, option);
+  if (!option_value_once(reading, option, option->positive ? *number > 0.0 : is_finite(*number), &value)) return false;
   if (!option_number(reading, option, value, number)) return false;
   return !option->positive || *number > 0.0 || failure_in_usage(reading->failure, "%s must be above 0", option->name);
 }
@@ -165,8 +158,7 @@ static int read_numbers(const struct reading *reading, const char *text, double 
 /* Three lengths, nine numbers, or one of the words file and p1. */
 bool take_box(struct reading *reading, const struct option *option, const char *value) {
   struct box_choice *choice = &reading->request->box;
-  if (!option_value(reading, option, &value)) return false;
-  if (choice->source != BOX_NONE) return option_given_twice(reading, option);
+  if (!option_value_once(reading, option, choice->source != BOX_NONE, &value)) return false;
   choice->without_copies = strcmp(value, "p1") == 0;
   if (choice->without_copies || strcmp(value, "file") == 0) {
     choice->source = BOX_OF_FILE;
@@ -252,8 +244,7 @@ bool take_at(struct reading *reading, const struct option *option, const char *v
 
 bool take_edge(struct reading *reading, const struct option *option, const char *value) {
   double *edge = &reading->request->meshing.edge;
-  if (!option_value(reading, option, &value)) return false;
-  if (*edge >= 0.0) return option_given_twice(reading, option);
+  if (!option_value_once(reading, option, *edge >= 0.0, &value)) return false;
   return take_length(reading, option, value) &&
          (*edge > 0.0 || failure_in_usage(reading->failure, "--edge must be above 0"));
 }
@@ -276,8 +267,7 @@ bool take_view(struct reading *reading, const struct option *option, const char 
 /* One of the words, or a file. */
 bool take_colour_meaning(struct reading *reading, const struct option *option, const char *value) {
   struct drawing *drawing = &reading->request->drawing;
-  if (!option_value(reading, option, &value)) return false;
-  if (drawing->colour >= 0) return option_given_twice(reading, option);
+  if (!option_value_once(reading, option, drawing->colour >= 0, &value)) return false;
   drawing->colour = option_word(option, value);
   if (drawing->colour >= 0) return true;
   if (strpbrk(value, "./") != NULL) { /* the words have neither */
@@ -316,8 +306,7 @@ bool take_crop(struct reading *reading, const struct option *option, const char 
 /* One number for all contours, or three. */
 bool take_ink_width(struct reading *reading, const struct option *option, const char *value) {
   double *const width = reading->request->drawing.ink_width;
-  if (!option_value(reading, option, &value)) return false;
-  if (width[0] >= 0.0) return option_given_twice(reading, option);
+  if (!option_value_once(reading, option, width[0] >= 0.0, &value)) return false;
   const bool three = strpbrk(value, ", \t") != NULL;
   if (three ? !option_numbers(reading, option, value, "BGD", width) : !option_number(reading, option, value, width)) {
     return false;
@@ -336,8 +325,7 @@ bool take_ink_width(struct reading *reading, const struct option *option, const 
 bool take_ink_colour(struct reading *reading, const struct option *option, const char *value) {
   enum { DIGITS = 7 }; /* with # */
   int *const colour = reading->request->drawing.ink_colour;
-  if (!option_value(reading, option, &value)) return false;
-  if (colour[0] >= 0) return option_given_twice(reading, option);
+  if (!option_value_once(reading, option, colour[0] >= 0, &value)) return false;
   int given = 0;
   for (const char *at = value; given < INK_LEVELS; ++at) {
     char digits[DIGITS + 2]; /* one more makes it none */
