@@ -1,22 +1,15 @@
 /* hardsphere query: the balls that contain a point, or that meet a ball. */
-#include <math.h>
 #include <stdlib.h>
 
 #include "commands/commands.h"
 #include "commands/input_report.h"
+#include "read/vectors.h"
 #include "write/ball_label.h"
 
 static int32_t ask(const struct request *request, const hsp_model *model, uint32_t *ids, uint32_t capacity,
                    uint32_t *needed) {
   if (request->query.kind == QUERY_POINT) return hsp_query_point(model, request->query.position, ids, capacity, needed);
   return hsp_query_ball(model, request->query.position, request->query.radius, ids, capacity, needed);
-}
-
-static double distance(const double *a, const double *b) {
-  const double x = a[0] - b[0];
-  const double y = a[1] - b[1];
-  const double z = a[2] - b[2];
-  return sqrt(x * x + y * y + z * z); /* hypot differs from one mathematics library to the next; sqrt does not */
 }
 
 /* The values that are printed: the balls, and how far away they are. */
@@ -30,7 +23,7 @@ static bool row_of(const void *of, size_t row, union cell cells[MOST_COLUMNS], c
   const struct found *const found = of;
   (void)text;
   cells[0].quantity =
-      distance(found->request->query.position, found->rows.molecule->xyz + 3 * (size_t)found->rows.balls[row]);
+      distance_between(found->request->query.position, found->rows.molecule->xyz + 3 * (size_t)found->rows.balls[row]);
   return true;
 }
 

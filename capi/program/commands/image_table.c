@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "read/number.h"
+#include "read/vectors.h"
 
 /* In angstrom. No two atoms are nearer to each other than `shortest`. Places nearer than `same_place` are the same: it
  * is three times the rounding of PDB files, and more than the difference of numbers with many digits by several
@@ -85,7 +86,7 @@ static bool coincide(const struct image_table *table, uint32_t atom, const doubl
   }
   box_point(box, apart, way);
   const double most = explained ? shortest : same_place;
-  return way[0] * way[0] + way[1] * way[1] + way[2] * way[2] <= most * most;
+  return dot(way, way) <= most * most;
 }
 
 bool image_table_has(const struct image_table *table, const double fraction[3], const double error[3],

@@ -7,6 +7,7 @@
 
 #include "read/residue_kinds.h"
 #include "read/residues.h"
+#include "read/vectors.h"
 #include "write/cif_output.h"
 #include "write/output_file.h"
 
@@ -107,8 +108,7 @@ static double free_radius(const struct tunnel_lining *tunnel, const double xyz[3
   for (uint32_t k = 0; k < tunnel->backbones; ++k) {
     const uint32_t atom = tunnel->backbone[k];
     const double *const centre = tunnel->molecule->xyz + 3 * (size_t)atom;
-    const double x = xyz[0] - centre[0], y = xyz[1] - centre[1], z = xyz[2] - centre[2];
-    least = fmin(least, sqrt(x * x + y * y + z * z) - tunnel->molecule->radius[atom]);
+    least = fmin(least, distance_between(xyz, centre) - tunnel->molecule->radius[atom]);
   }
   return least;
 }

@@ -7,6 +7,7 @@
 
 #include "commands/image_table.h"
 #include "hardsphere.h"
+#include "read/vectors.h"
 #include "write/report.h"
 
 /* Errors of numbers in operators: these are whole numbers and 24ths, but files have only a few digits of them. */
@@ -51,10 +52,7 @@ static bool is_isometry(const struct box_record *box, const struct symmetry_oper
   for (int k = 0; k < 9; ++k) {
     const double *a = box->vector + 3 * (k / 3), *b = box->vector + 3 * (k % 3);
     const double *c = image[k / 3], *d = image[k % 3];
-    const double expected = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    const double found = c[0] * d[0] + c[1] * d[1] + c[2] * d[2];
-    const double size = (a[0] * a[0] + a[1] * a[1] + a[2] * a[2]) * (b[0] * b[0] + b[1] * b[1] + b[2] * b[2]);
-    if (!(fabs(found - expected) <= cell_blur * sqrt(size))) return false;
+    if (!(fabs(dot(c, d) - dot(a, b)) <= cell_blur * sqrt(dot(a, a) * dot(b, b)))) return false;
   }
   return true;
 }
@@ -158,8 +156,7 @@ static bool are_near(const struct box_record *a, const struct box_record *b) {
 /* The components of each vector along three unit vectors at right angles, or from these. */
 static void vectors_along(const double vector[9], const double axis[9], double out[9]) {
   for (int k = 0; k < 9; ++k) {
-    const double *const v = vector + 3 * (k / 3), *const u = axis + 3 * (k % 3);
-    out[k] = v[0] * u[0] + v[1] * u[1] + v[2] * u[2];
+    out[k] = dot(vector + 3 * (k / 3), axis + 3 * (k % 3));
   }
 }
 static void vectors_from(const double along[9], const double axis[9], double out[9]) {

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "commands/space_geometry.h"
+#include "read/vectors.h"
 
 const char void_columns[] =
     "  volume in @^3, area in @^2; x y z: its point that is farthest from all balls, and its clearance, in @";
@@ -54,9 +55,7 @@ static bool lies_in(const struct geometry *geometry, const double point[3], uint
 static double clearance_at(const struct molecule *wall, double probe, const double point[3]) {
   double least = HUGE_VAL;
   for (size_t k = 0; k < wall->atoms; ++k) {
-    const double *const centre = wall->xyz + 3 * k;
-    const double x = point[0] - centre[0], y = point[1] - centre[1], z = point[2] - centre[2];
-    least = fmin(least, sqrt(x * x + y * y + z * z) - (wall->radius[k] + probe));
+    least = fmin(least, distance_between(point, wall->xyz + 3 * k) - (wall->radius[k] + probe));
   }
   return least;
 }

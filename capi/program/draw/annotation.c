@@ -10,6 +10,7 @@
 #include "draw/residue_colours.h"
 #include "draw/text_width.h"
 #include "read/residues.h"
+#include "read/vectors.h"
 
 enum { MOST_ENTRIES = 200, MOST_STRIPES = 4, RAMP_PARTS = 65, TEXT_BYTES = 48, MOST_POWERS = 300 };
 
@@ -132,8 +133,7 @@ static int compare_entries(const void *left, const void *right) {
 }
 
 static double depth_of(const struct annotation *annotation, uint32_t atom) {
-  const double *const xyz = annotation->molecule->xyz + 3 * (size_t)atom, *const axis = annotation->view->towards;
-  return axis[0] * xyz[0] + axis[1] * xyz[1] + axis[2] * xyz[2];
+  return dot(annotation->view->towards, annotation->molecule->xyz + 3 * (size_t)atom);
 }
 
 /* Whether an atom is painted, as far as that is known. */

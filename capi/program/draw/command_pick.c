@@ -3,8 +3,8 @@
 
 #include "commands/commands.h"
 #include "commands/input_report.h"
-#include "draw/dot_product.h"
 #include "draw/view_geometry.h"
+#include "read/vectors.h"
 #include "write/ball_label.h"
 
 /* Points of the file's own coordinates, turned; the map has its origin among the balls. */

@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "draw/dot_product.h"
 #include "draw/mesh_split.h"
 #include "hardsphere.h"
+#include "read/vectors.h"
 
 /* A corner within this share of an edge from the contour counts as on it: the surface is nearly parallel to the line of
  * sight there. */
@@ -31,7 +31,7 @@ static void normal_at(const struct surface *surface, uint32_t triangle, size_t k
     const double away = mesh->xyz[3 * vertex + axis] - centre[axis];
     normal[axis] = convex ? away : -away;
   }
-  const double length = sqrt(dot(normal, normal));
+  const double length = vector_length(normal);
   for (size_t axis = 0; axis < 3 && length > 0.0; ++axis) normal[axis] /= length;
 }
 

@@ -5,11 +5,11 @@
 #include <string.h>
 
 #include "draw/contour_pieces.h"
-#include "draw/dot_product.h"
 #include "draw/hidden_lines.h"
 #include "draw/mesh_creases.h"
 #include "draw/mesh_sides.h"
 #include "hardsphere.h"
+#include "read/vectors.h"
 
 /* Widths of lines: shares of the mean radius on the page, and bounds in tenths of a px. */
 static const double hairline_share = 0.0033, thinnest_hairline = 2.0, widest_hairline = 5.0;

@@ -4,13 +4,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "draw/dot_product.h"
 #include "draw/mesh_facing.h"
 #include "draw/mesh_layers.h"
 #include "draw/mesh_lines.h"
 #include "draw/mesh_page.h"
 #include "draw/surface_light.h"
 #include "hardsphere.h"
+#include "read/vectors.h"
 #include "write/output_file.h"
 
 static const double slack = 0.3;         /* of overlaps */

@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "read/molecule.h"
+#include "read/vectors.h"
 
 /* Rounds of rotations; each squares the rest off the diagonal, so that a dozen is ample. */
 enum { ROUNDS = 30 };
@@ -112,14 +113,6 @@ static void diagonalize(double c[3][3], double axis[3][3]) {
         }
       }
     }
-  }
-}
-
-static void cross(const double a[3], const double b[3], double out[3]) {
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3;
-    const int k = (i + 2) % 3;
-    out[i] = a[j] * b[k] - a[k] * b[j];
   }
 }
 

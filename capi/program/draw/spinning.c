@@ -8,6 +8,7 @@
 
 #include "draw/ball_and_stick.h"
 #include "draw/view_axes.h"
+#include "read/vectors.h"
 
 /* Pictures as the library makes them without a scale. */
 static const double default_margin = 0.03;
@@ -16,10 +17,6 @@ static const double default_margin = 0.03;
 struct extent {
   double low, high;
 };
-
-static double along(const double axis[3], const double xyz[3]) {
-  return axis[0] * xyz[0] + axis[1] * xyz[1] + axis[2] * xyz[2];
-}
 
 static double radius_of(const struct drawing *drawing, const struct molecule *molecule, double probe, uint32_t ball) {
   const double radius = molecule->radius[ball] + probe;
@@ -33,7 +30,7 @@ static struct extent extent_of(const struct drawing *drawing, const struct molec
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     const double radius = radius_of(drawing, molecule, probe, i);
     if (!(radius > 0.0)) continue;
-    const double at = along(axis, molecule->xyz + 3 * (size_t)i);
+    const double at = dot(axis, molecule->xyz + 3 * (size_t)i);
     if (!any || at - radius < extent.low) extent.low = at - radius;
     if (!any || at + radius > extent.high) extent.high = at + radius;
     any = true;
@@ -52,8 +49,8 @@ static double reach_of(const struct drawing *drawing, const struct molecule *mol
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     const double radius = radius_of(drawing, molecule, probe, i);
     if (!(radius > 0.0)) continue;
-    const double across = along(axis[0], molecule->xyz + 3 * (size_t)i) - x;
-    const double away = along(axis[2], molecule->xyz + 3 * (size_t)i) - z;
+    const double across = dot(axis[0], molecule->xyz + 3 * (size_t)i) - x;
+    const double away = dot(axis[2], molecule->xyz + 3 * (size_t)i) - z;
     const double far_end = sqrt(across * across + away * away) + radius;
     if (far_end > reach) reach = far_end;
   }
@@ -90,9 +87,9 @@ int32_t spinning_fix_frame(struct drawing *drawing, const struct molecule *molec
 
 const char *spinning_name(const char *out, int picture) {
   const char *slash = strrchr(out, '/');
-  const char *dot = strrchr(slash == NULL ? out : slash + 1, '.');
+  const char *point = strrchr(slash == NULL ? out : slash + 1, '.');
   const size_t length = strlen(out);
-  const size_t stem = dot == NULL ? length : (size_t)(dot - out);
+  const size_t stem = point == NULL ? length : (size_t)(point - out);
   static char *name;
   free(name);
   name = malloc(length + 16);

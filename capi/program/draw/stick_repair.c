@@ -5,14 +5,11 @@
 #include <string.h>
 
 #include "read/bonds.h"
+#include "read/vectors.h"
 
 static double radius_of_stick(const struct stick_parts *parts, const hsp_stick *stick) {
   const uint32_t thick = HSP_STICK_DOUBLE | HSP_STICK_TRIPLE | HSP_STICK_AROMATIC;
   return (stick->flags & thick) != 0 ? 1.5 * parts->stick_radius : parts->stick_radius;
-}
-
-static double dot(const double a[3], const double b[3]) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 static void way(const struct molecule *molecule, uint32_t from, uint32_t to, double out[3]) {
@@ -25,7 +22,7 @@ static double distance_to(const struct molecule *molecule, const struct stick_pa
   double axis[3], to[3];
   way(molecule, stick->ball[0], stick->ball[1], axis);
   way(molecule, stick->ball[0], ball, to);
-  const double length = sqrt(dot(axis, axis)), along = length > 0.0 ? dot(axis, to) / length : 0.0;
+  const double length = vector_length(axis), along = length > 0.0 ? dot(axis, to) / length : 0.0;
   const double across = sqrt(fmax(0.0, dot(to, to) - along * along)) - radius_of_stick(parts, stick);
   const double beside = fmax(0.0, across), behind = fmax(0.0, fmax(-along, along - length));
   return sqrt(beside * beside + behind * behind); /* hypot is of glibc 2.35 and rounds as each library likes */

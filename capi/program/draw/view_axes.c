@@ -3,18 +3,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "draw/dot_product.h"
 #include "draw/principal_axes.h"
 #include "read/molecule.h"
 #include "read/stopping.h"
-
-static void cross(const double a[3], const double b[3], double out[3]) {
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3;
-    const int k = (i + 2) % 3;
-    out[i] = a[j] * b[k] - a[k] * b[j];
-  }
-}
+#include "read/vectors.h"
 
 /* False: there is no direction in it. Divided by its largest coordinate first, so that no square overflows. */
 static bool make_unit(double v[3]) {
@@ -22,7 +14,7 @@ static bool make_unit(double v[3]) {
   for (int k = 0; k < 3; ++k) largest = fabs(v[k]) > largest ? fabs(v[k]) : largest;
   if (!(largest > 0.0)) return false;
   for (int k = 0; k < 3; ++k) v[k] /= largest;
-  const double length = sqrt(dot(v, v));
+  const double length = vector_length(v);
   for (int k = 0; k < 3; ++k) v[k] /= length;
   return true;
 }

@@ -6,6 +6,7 @@
 #include "read/fields.h"
 #include "read/number.h"
 #include "read/title_value.h"
+#include "read/vectors.h"
 
 /* Exact where the angle is a right one. */
 static double cosine(double degrees) {
@@ -133,26 +134,18 @@ void box_fractions(const struct box_record *box, const double point[3], double o
   }
 }
 
-static void cross(const double *a, const double *b, double out[3]) {
-  for (int k = 0; k < 3; ++k) out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-}
-
-static double length_of(const double *v) {
-  return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
 double box_distance(const struct box_record *box, int k) {
   double across[3];
   cross(box->vector + 3 * ((k + 1) % 3), box->vector + 3 * ((k + 2) % 3), across);
-  return fabs(volume_of(box->vector)) / length_of(across);
+  return fabs(volume_of(box->vector)) / vector_length(across);
 }
 
 void box_axes(const struct box_record *box, double axis[9]) {
-  const double *const v = box->vector, a = length_of(v);
+  const double *const v = box->vector, a = vector_length(v);
   for (int k = 0; k < 3; ++k) axis[k] = v[k] / a;
-  const double shared = v[3] * axis[0] + v[4] * axis[1] + v[5] * axis[2];
+  const double shared = dot(v + 3, axis);
   for (int k = 0; k < 3; ++k) axis[3 + k] = v[3 + k] - shared * axis[k];
-  const double b = length_of(axis + 3);
+  const double b = vector_length(axis + 3);
   for (int k = 0; k < 3; ++k) axis[3 + k] /= b;
   cross(axis, axis + 3, axis + 6);
 }

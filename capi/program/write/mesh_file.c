@@ -1,12 +1,12 @@
 #include "write/mesh_file.h"
 
 #include <inttypes.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "hardsphere.h"
 #include "read/text_buffer.h"
+#include "read/vectors.h"
 #include "write/output_file.h"
 
 bool triangle_mesh_make(struct triangle_mesh *mesh, uint32_t vertices, uint32_t triangles, struct failure *failure) {
@@ -171,12 +171,8 @@ static void normal_of(const struct triangle_mesh *mesh, const uint32_t *corners,
           mesh->xyz[3 * (size_t)corners[k + 1] + (size_t)axis] - mesh->xyz[3 * (size_t)corners[0] + (size_t)axis];
     }
   }
-  for (int axis = 0; axis < 3; ++axis) {
-    const int next = (axis + 1) % 3;
-    const int last = (axis + 2) % 3;
-    normal[axis] = side[0][next] * side[1][last] - side[0][last] * side[1][next];
-  }
-  const double length = sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+  cross(side[0], side[1], normal);
+  const double length = vector_length(normal);
   for (int axis = 0; axis < 3 && length > 0.0; ++axis) normal[axis] /= length;
 }
 
