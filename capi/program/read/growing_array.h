@@ -1,5 +1,5 @@
-/* Arrays that grow as items are added. The caller has the pointer to the items, whose address is passed as `array`, their
- * number, and the room for them, 0 at first. */
+/* Arrays that grow as items are added. The caller has the pointer to the items, whose address is passed as `array`,
+ * their number, and the room for them, 0 at first. */
 #pragma once
 
 #include <stdbool.h>

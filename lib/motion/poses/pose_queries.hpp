@@ -11,8 +11,8 @@
 
 namespace hsp {
 
-// Makes a pose for these molecules as Pose::make() or RationalPose::make() does. Status::argument if their lattices have
-// different steps, Status::range if the pose has no room for the moving one, or the status of make().
+// Makes a pose for these molecules as Pose::make() or RationalPose::make() does. Status::argument if their lattices
+// have different steps, Status::range if the pose has no room for the moving one, or the status of make().
 template <class Number, class AnyPose>
 Status make_pose(const SphereTree &fixed, const SphereTree &moving, const Number *quaternion, const double *translation,
                  AnyPose &pose) {
