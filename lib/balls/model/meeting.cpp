@@ -4,7 +4,7 @@
 
 namespace hsp {
 
-[[gnu::cold]] bool meet_exactly(double dx, double dy, double dz, double sum) {
+[[gnu::cold, gnu::noinline]] bool meet_exactly(double dx, double dy, double dz, double sum) {
   return exact::power({static_cast<int64_t>(dx), static_cast<int64_t>(dy), static_cast<int64_t>(dz)},
                       static_cast<int64_t>(sum))
              .sign() <= 0;

@@ -8,7 +8,7 @@
 namespace hsp::exact {
 
 template <class Limb>
-inline WideInteger<Limb, 128> times(int64_t a, int64_t b) {
+WideInteger<Limb, 128> times(int64_t a, int64_t b) {
   return product<128>(WideInteger<Limb, 64>::from(a), WideInteger<Limb, 64>::from(b));
 }
 

@@ -80,8 +80,8 @@ struct WideInteger {
   constexpr WideInteger operator-() const { return WideInteger{} - *this; }
 
   // The nearest double: the leading 64 significant bits are kept, the rest as a sticky bit alone, then one rounding.
-  // The result does not depend on the limb width.
-  double to_double() const {
+  // The result does not depend on the limb width. Out of line: rarely needed, and longer than what calls it.
+  [[gnu::noinline]] double to_double() const {
     const bool is_negative = negative();
     const WideInteger absolute = is_negative ? -*this : *this;
     int top = limbs - 1;

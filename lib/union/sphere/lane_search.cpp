@@ -27,21 +27,17 @@ void SearchInLanes::carve(Workspace &workspace, uint32_t neighbours) {
   target_ = workspace.target();
   enabled = neighbours <= PairSweep::most_caps;
   // Rows of whole vectors.
-  const uint32_t row = (neighbours + FloatCaps::spare + 7) / 8 * 8;
+  const size_t row = (neighbours + FloatCaps::spare + 7) / 8 * 8;
   rows_ = workspace.take<float>(18 * static_cast<uint64_t>(row));
   uncrossed_ = workspace.take<uint32_t>(neighbours);
   if (rows_.empty()) return;
   float *next = rows_.data();
-  const auto take = [&next, row] {
-    float *const first = next;
-    next += row;
-    return first;
-  };
   for (FloatCaps *const caps : {&sweep_.caps, &sweep_.by_size, &sweep_.large, &sweep_.exposed}) {
-    *caps = {take(), take(), take(), take()};
+    *caps = {next, next + row, next + 2 * row, next + 3 * row};
+    next += 4 * row;
   }
-  sweep_.exposed_cap = take();
-  sweep_.crossed = take();
+  sweep_.exposed_cap = next;
+  sweep_.crossed = next + row;
 }
 
 Span<uint32_t> SearchInLanes::take_candidates(Workspace &workspace, uint32_t neighbours) {
