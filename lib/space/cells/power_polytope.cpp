@@ -74,17 +74,17 @@ Vec3 PowerPolytope::middle() const {
   return (1.0 / static_cast<double>(count_)) * sum;
 }
 
-// Lists the vertices beyond the plane, and the edges from these to vertices that are not. Returns the number of these
-// edges, which is that of the corners of the new facet.
-uint32_t PowerPolytope::find_crossings() {
+// Lists the vertices beyond the plane, and the edges from these to vertices that are not: is_near(v) is 1 for such a
+// vertex, else 0. Returns the number of these edges, which is that of the corners of the new facet.
+template <class IsNear>
+uint32_t PowerPolytope::find_crossings(IsNear is_near) {
   const PolytopeVertex *const vertices = vertices_.data();
   uint32_t *const holes = holes_.data();
   CrossedEdge *at = crossings_.data();
   uint32_t *const ends = ends_.data();
-  const uint64_t *const beyond_of = beyond_.data();
   uint32_t hole = 0;
   for (uint32_t first = 0; first < count_; first += 64) {
-    for (uint64_t beyond = beyond_of[first / 64]; beyond != 0; beyond &= beyond - 1, ++hole) {
+    for (uint64_t beyond = beyond_[first / 64]; beyond != 0; beyond &= beyond - 1, ++hole) {
       const uint32_t v = first + static_cast<uint32_t>(std::countr_zero(beyond));
       holes[hole] = v;
       const PolytopeVertex vertex = vertices[v];
@@ -92,7 +92,7 @@ uint32_t PowerPolytope::find_crossings() {
       // Written without a branch, and kept if the other end stays.
       const auto list = [&](uint32_t near, uint32_t a, uint32_t b) {
         *at = {v, near, a, b};
-        at += ~beyond_of[near / 256] >> near / 4 % 64 & 1;
+        at += is_near(near / 4);
       };
       list(vertex.link[0], vertex.plane[1], vertex.plane[2]);
       list(vertex.link[1], vertex.plane[2], vertex.plane[0]);
@@ -105,7 +105,10 @@ uint32_t PowerPolytope::find_crossings() {
 }
 
 void PowerPolytope::cut(uint32_t plane, const UnitPlane *planes, const CubeFrame &frame) {
-  const uint32_t count = find_crossings();
+  const uint64_t first_near = ~beyond_[0];
+  const uint64_t *const beyond = beyond_.data();
+  const uint32_t count = count_ <= 64 ? find_crossings([&](uint32_t v) { return first_near >> v & 1; })
+                                      : find_crossings([&](uint32_t v) { return ~beyond[v / 64] >> v % 64 & 1; });
   PolytopeVertex *const vertices = vertices_.data();
   const uint32_t *const holes = holes_.data();
   const CrossedEdge *const crossings = crossings_.data();

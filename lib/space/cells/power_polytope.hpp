@@ -72,7 +72,8 @@ class PowerPolytope {
   double most_error() const { return most_error_; }
 
  private:
-  uint32_t find_crossings();
+  template <class IsNear>
+  uint32_t find_crossings(IsNear is_near);
   void solve_uncertain(uint32_t count, const UnitPlane *planes, const CubeFrame &frame);
   void clear_squares_behind();
   void move(uint32_t from, uint32_t to);
