@@ -1,3 +1,5 @@
+#include <initializer_list>
+
 #include "hsp_map.hpp"
 #include "hsp_sticks.hpp"
 #include "hsp_view.hpp"

@@ -1,5 +1,5 @@
-// Quadratic forms of integer vectors, in 128 bits. Exact if no component and no radius is 2^62 or more in size, and the
-// result has room.
+// Products and quadratic forms of integer vectors, in 128 bits. Exact if no component and no radius is 2^62 or more in
+// size, and the result has room.
 #pragma once
 
 #include "exact/plane.hpp"

@@ -1,5 +1,7 @@
 #include "maps/stick_arcs.hpp"
 
+#include <initializer_list>
+
 #include "maps/hidden_parts.hpp"
 #include "maps/trigonometric_roots.hpp"
 

@@ -1,5 +1,7 @@
 #include "maps/strand_lines.hpp"
 
+#include <initializer_list>
+
 namespace hsp {
 namespace {
 

@@ -32,7 +32,8 @@ class BoundaryCurves {
   uint32_t count_ = 0;
 };
 
-// The next three for an arc or a circle, named by its element on the ball of lower rank.
+// The next three are for an arc, named by its half-edge on the ball of lower rank, or a circle. Length and segments are
+// the same for both elements of a circle.
 
 // Its points run clockwise about the axis from the ball of lower rank to the other. A circle smaller than least_radius
 // is taken to be so large.

@@ -103,7 +103,7 @@ class BoundaryOutline {
   bool add_bands(double, Patience &, FixedVector<MeshVertex> &, FixedVector<MeshTriangle> &) const { return true; }
 
  private:
-  // The two balls of a curve; those of an arc in the order of their ranks.
+  // The two balls of a curve, in the order of their ranks.
   void find_owners(uint32_t c, uint32_t owners[2]) const;
   MeshVertex vertex_at(const Position &position, const uint32_t *owners, uint32_t count) const;
   void add_loop(uint32_t ball, uint32_t loop, SphericalPatch &patch) const;

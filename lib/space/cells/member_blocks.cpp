@@ -1,6 +1,7 @@
 #include "cells/member_blocks.hpp"
 
 #include <cmath>
+#include <initializer_list>
 
 #include "core/sorting.hpp"
 

@@ -74,14 +74,15 @@ struct SmallShift {
 
 // The name of a point: the balls that span it.
 struct PointName {
-  uint32_t ball[4];     // in the order of positions; no_id behind the last one
-  SmallShift shift[4];  // which images they are, in a box; 0 for the first
+  uint32_t ball[4];     // no_id behind the last one
+  SmallShift shift[4];  // which images they are, in a box
 
   bool operator==(const PointName &other) const = default;
 };
 
 // A maximum or a gate as it is found. A gate is spanned by three of its nearest balls, a maximum by four. If more balls
-// tie, all of them are in a list of their own (PoresBuilder::tied()).
+// tie, all of them are in a list of their own (PoresBuilder::tied()). Its balls are in the order of positions, and the
+// shift of the first is 0.
 struct CriticalPoint : PointName {
   Vec3 position;
   double level;         // rounded to a multiple of a power of two, the same for points that symmetry maps to each other
