@@ -22,7 +22,7 @@ if grep -nvE '^(name,verdict,test|[a-z][0-9]{2,3},(killed,[a-z0-9_]+|survived,))
   status=1
 fi
 
-# What is explained as an exception stands in the code, whatever its white space.
+# Each explained exception stands in the code, whatever its white space.
 stands() { # list, what separates the file, the text and the rest
   awk -F "$2" -v root="$source/" -v list="$1" '
     /^#/ { next }
