@@ -20,18 +20,19 @@ constexpr uint32_t coarse_cells(uint32_t cells) {
 struct CellRange {
   uint32_t first, last;
 
+  CellRange(uint32_t first_cell, uint32_t end) : first(first_cell), last(end) {}
+  // Those that an interval meets.
+  CellRange(double low, double high, double origin, double cells_per_length, uint32_t cells) {
+    const double a = (low - origin) * cells_per_length;
+    const double b = (high - origin) * cells_per_length;
+    first = a > 0.0 ? static_cast<uint32_t>(a) : 0;
+    last = b > 0.0 ? static_cast<uint32_t>(b) + 1 : 1;
+    if (last > cells) last = cells;
+  }
   CellRange common(const CellRange &other) const {
     return {first > other.first ? first : other.first, last < other.last ? last : other.last};
   }
 };
-
-// The cells that an interval meets.
-CellRange cells_between(double low, double high, double origin, double cells_per_length, uint32_t cells) {
-  const double a = (low - origin) * cells_per_length;
-  const double b = (high - origin) * cells_per_length;
-  const uint32_t last = b > 0.0 ? static_cast<uint32_t>(b) + 1 : 1;
-  return {a > 0.0 ? static_cast<uint32_t>(a) : 0, last > cells ? cells : last};
-}
 
 // The cells of a coarse cell along one axis; or the coarse cells of a tile.
 CellRange parts_of(uint32_t coarse, uint32_t cells) {
@@ -57,8 +58,8 @@ float lowest_of(Span<float> floor, uint32_t row_length, const CellRange &columns
 // square of the radius, or a little more or less.
 template <class Visit>
 bool DepthBuffer::visit_cells(double x, double y, double radius, double squared, CellEdge edge, Visit visit) const {
-  const CellRange columns = cells_between(x - radius, x + radius, left_, cells_per_length_, columns_);
-  const CellRange rows = cells_between(y - radius, y + radius, bottom_, cells_per_length_, rows_);
+  const CellRange columns(x - radius, x + radius, left_, cells_per_length_, columns_);
+  const CellRange rows(y - radius, y + radius, bottom_, cells_per_length_, rows_);
   const auto some = [](uint32_t count) { return count < DiscCells::most ? count : DiscCells::most; };
   DiscCells cells;
   for (uint32_t row = rows.first; row < rows.last; row += cells.rows) {
@@ -138,8 +139,8 @@ void DepthBuffer::look_after_tile(uint32_t tile_column, uint32_t tile_row) {
 bool DepthBuffer::is_above(const BoundingBox &box, double height) {
   const double margin = 16 * margin_;
   const double raised = height + margin;
-  const CellRange columns = cells_between(box.left - margin, box.right + margin, left_, cells_per_length_, columns_);
-  const CellRange rows = cells_between(box.bottom - margin, box.top + margin, bottom_, cells_per_length_, rows_);
+  const CellRange columns(box.left - margin, box.right + margin, left_, cells_per_length_, columns_);
+  const CellRange rows(box.bottom - margin, box.top + margin, bottom_, cells_per_length_, rows_);
   const CellRange coarse_columns{columns.first / coarse_side, coarse_cells(columns.last)};
   const CellRange coarse_rows{rows.first / coarse_side, coarse_cells(rows.last)};
   const auto is_lower = [raised](float floor) { return static_cast<double>(floor) <= raised; };
