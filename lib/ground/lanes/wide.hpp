@@ -77,6 +77,16 @@ struct Wide {
       return Real{x};
     }
   }
+  // 0, 1, 2 and so on.
+  static Real ascending() {
+    if constexpr (n == 8) {
+      return Real{0, 1, 2, 3, 4, 5, 6, 7};
+    } else if constexpr (n == 4) {
+      return Real{0, 1, 2, 3};
+    } else {
+      return Real{0, 1};
+    }
+  }
   static Real of(T a, T b, T c, T d) { return Real{a, b, c, d}; }
   // p[index[0]], p[index[1]] and so on.
   static Real gather(const T *p, const uint32_t *index) {
@@ -139,6 +149,14 @@ struct Wide {
     std::memcpy(&a, p, sizeof a);
     return a;
   }
+  // One number in all lanes. With all(), GCC 12 loads the number alone as well, to compute with it before it is spread.
+  static Real all_of(const T *p) {
+#if defined(__AVX2__)
+    if constexpr (n == 8) return Real(_mm256_broadcast_ss(p));
+    if constexpr (n == 4 && sizeof(T) == 8) return Real(_mm256_broadcast_sd(p));
+#endif
+    return all(*p);
+  }
   // The first `count` numbers, and zeros behind them, for the end of an array.
   static Real load_first(const T *p, uint32_t count) {
 #if defined(__AVX2__)
@@ -161,11 +179,21 @@ struct Wide {
 #endif
     std::memcpy(p, &a, sizeof a);
   }
+  // As an instruction: with -a GCC 12 places the branches of find_few() so that 1.3 % more of Step 2 are mispredicted.
+  static Real negated(const Real &a) {
+#if defined(__AVX2__)
+    if constexpr (n == 8) return Real(_mm256_xor_ps(__m256(a), _mm256_set1_ps(-0.0F)));
+    if constexpr (n == 4 && sizeof(T) == 8) return Real(_mm256_xor_pd(__m256d(a), _mm256_set1_pd(-0.0)));
+#endif
+    return -a;
+  }
   static Real square_root(const Real &a) {
 #if defined(__AVX2__)
+    if constexpr (n == 8) return Real(_mm256_sqrt_ps(__m256(a)));
     if constexpr (n == 4 && sizeof(T) == 8) return Real(_mm256_sqrt_pd(__m256d(a)));
 #endif
 #if defined(__SSE2__)
+    if constexpr (n == 4 && sizeof(T) == 4) return Real(_mm_sqrt_ps(__m128(a)));
     if constexpr (n == 2 && sizeof(T) == 8) return Real(_mm_sqrt_pd(__m128d(a)));
 #endif
     Real root = a;  // GCC -O1 does not see that every lane is written
@@ -179,6 +207,7 @@ struct Wide {
     if constexpr (n == 4 && sizeof(T) == 8) return Real(_mm256_max_pd(__m256d(a), __m256d(b)));
 #endif
 #if defined(__SSE2__)
+    if constexpr (n == 4 && sizeof(T) == 4) return Real(_mm_max_ps(__m128(a), __m128(b)));
     if constexpr (n == 2 && sizeof(T) == 8) return Real(_mm_max_pd(__m128d(a), __m128d(b)));
 #endif
     return select(a > b, a, b);
@@ -189,6 +218,7 @@ struct Wide {
     if constexpr (n == 4 && sizeof(T) == 8) return Real(_mm256_min_pd(__m256d(a), __m256d(b)));
 #endif
 #if defined(__SSE2__)
+    if constexpr (n == 4 && sizeof(T) == 4) return Real(_mm_min_ps(__m128(a), __m128(b)));
     if constexpr (n == 2 && sizeof(T) == 8) return Real(_mm_min_pd(__m128d(a), __m128d(b)));
 #endif
     return select(a < b, a, b);

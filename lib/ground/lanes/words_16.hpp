@@ -2,71 +2,17 @@
 // code is worse, instructions of SSE2 and its followers up to x86-64-v2, of NEON and of WebAssembly are used; without
 // any of these the results are the same.
 //
-// As an example four floats, lanes 0 to 3, and the results of some operations:
+// As an example four floats, lanes 0 to 3:
 //   a                           5   1   7   3
 //   b                           4   4   4   4
-//   greater(a, b)               1   0   1   0     as LaneBits 5, lane 0 being the lowest bit; ones(5) = 2
-//   larger(a, b)                5   4   7   4
-//   fused_minus(a, b, b)       16   0  24   8     a b - b
+//   greater(a, b)               1   0   1   0     as LaneBits 5
 //   store_front(p, a, FrontOrder::of(5))          p[0] = 5, p[1] = 7, and anything in p[2] and p[3]
 // So the numbers above a limit are picked from an array without a branch on them: four are loaded and stored in this
 // way, and p moves on by ones().
 #pragma once
 
-#if defined(__SSE4_1__)
-#include <smmintrin.h>
-#elif defined(__SSSE3__)
-#include <tmmintrin.h>
-#elif defined(__aarch64__)
-#include <arm_neon.h>
-#elif defined(__wasm_simd128__)
-#include <wasm_simd128.h>
-#endif
-
-#include "lanes/wide.hpp"
-
 namespace hsp {
 namespace {
-
-struct Floats {
-  using Real = float;
-  using Word = Wide<float, 4>;
-  static constexpr uint32_t lanes = 4;
-  Word::Real v;
-
-  static Floats load(const float *p) { return {Word::load(p)}; }
-  static Floats all(float x) { return {Word::all(x)}; }
-  static Floats ascending() { return {Word::Real{0, 1, 2, 3}}; }
-  static Floats all_of(const float *p) { return {Word::all(*p)}; }
-  static Floats at(const float *p, const uint8_t *index) {
-    return {Word::Real{p[index[0]], p[index[1]], p[index[2]], p[index[3]]}};
-  }
-  void store(float *p) const { Word::store(p, v); }
-
-  friend Floats operator+(Floats a, Floats b) { return {a.v + b.v}; }
-  friend Floats operator-(Floats a, Floats b) { return {a.v - b.v}; }
-  friend Floats operator*(Floats a, Floats b) { return {a.v * b.v}; }
-  friend Floats operator/(Floats a, Floats b) { return {a.v / b.v}; }
-  friend Floats operator-(Floats a) { return {-a.v}; }
-};
-
-struct Doubles {
-  using Real = double;
-  using Word = Wide<double, 2>;
-  static constexpr uint32_t lanes = 2;
-  Word::Real v;
-
-  static Doubles load(const double *p) { return {Word::load(p)}; }
-  static Doubles all(double x) { return {Word::all(x)}; }
-  static Doubles all_of(const double *p) { return {Word::all(*p)}; }
-
-  friend Doubles operator+(Doubles a, Doubles b) { return {a.v + b.v}; }
-  friend Doubles operator-(Doubles a, Doubles b) { return {a.v - b.v}; }
-  friend Doubles operator*(Doubles a, Doubles b) { return {a.v * b.v}; }
-};
-inline double first(Doubles a) {
-  return a.v[0];
-}
 
 // Four numbers a, b, c, d of four things; in memory the numbers of each thing are side by side.
 struct FourOfEach {
@@ -78,12 +24,13 @@ struct FourOfEach {
     using Real = Floats::Word::Real;
     return {{Real(apart.val[0])}, {Real(apart.val[1])}, {Real(apart.val[2])}, {Real(apart.val[3])}};
 #else
-    return of(Floats::load(p).v, Floats::load(p + 4).v, Floats::load(p + 8).v, Floats::load(p + 12).v);
+    return of([p](int k) { return Floats::load(p + 4 * k).v; });
 #endif
   }
-  // From the four numbers of each thing.
-  static FourOfEach of(Floats::Word::Real first, Floats::Word::Real second, Floats::Word::Real third,
-                       Floats::Word::Real fourth) {
+  // of_thing(k): the four numbers of thing k.
+  template <class OfThing>
+  static FourOfEach of(OfThing of_thing) {
+    const auto first = of_thing(0), second = of_thing(1), third = of_thing(2), fourth = of_thing(3);
     const auto ab01 = __builtin_shufflevector(first, second, 0, 4, 1, 5);
     const auto cd01 = __builtin_shufflevector(first, second, 2, 6, 3, 7);
     const auto ab23 = __builtin_shufflevector(third, fourth, 0, 4, 1, 5);
@@ -95,77 +42,12 @@ struct FourOfEach {
   }
 };
 
-struct Integers {
-  static constexpr uint32_t lanes = 4;
-  using Bits = Wide<float, 4>::Bits;
-  using Signed = Wide<float, 4>::Mask;
-  Bits v;
-
-  static Integers load(const uint32_t *p) {
-    Integers a;
-    std::memcpy(&a.v, p, sizeof a.v);
-    return a;
-  }
-  static Integers all(uint32_t x) { return {Bits{x, x, x, x}}; }
-  static Integers ascending() { return {Bits{0, 1, 2, 3}}; }
-  void store(uint32_t *p) const { std::memcpy(p, &v, sizeof v); }
-  Signed with_sign() const { return reinterpret_cast<Signed>(v); }
-
-  // All bits set in the lowest `count` lanes, none in the others.
-  static Integers first_set(uint32_t count) { return of(all(count).with_sign() > ascending().with_sign()); }
-  // All bits set in the lanes from `count` on, none in the others.
-  static Integers all_set_from(uint32_t count) { return of(ascending().with_sign() > all(count - 1).with_sign()); }
-  static Integers of(const Signed &a) { return {reinterpret_cast<Bits>(a)}; }
-
-  friend Integers operator+(Integers a, Integers b) { return {a.v + b.v}; }
-  friend Integers operator-(Integers a, Integers b) { return {a.v - b.v}; }
-  friend Integers operator&(Integers a, Integers b) { return {a.v & b.v}; }
-  friend Integers operator|(Integers a, Integers b) { return {a.v | b.v}; }
-  friend Integers operator^(Integers a, Integers b) { return {a.v ^ b.v}; }
-};
-// The same as FourOfEach with integers, for the things with these numbers.
-struct FourIntegersOfEach {
-  Integers a, b, c, d;
-
-  static FourIntegersOfEach at(const int32_t *p, const uint32_t *thing) {
-    const auto bits_of = [p, thing](int k) {
-      Floats::Word::Real bits;
-      std::memcpy(&bits, p + 4 * uint64_t{thing[k]}, sizeof bits);
-      return bits;
-    };
-    const FourOfEach bits = FourOfEach::of(bits_of(0), bits_of(1), bits_of(2), bits_of(3));
-    const auto integers = [](Floats part) { return Integers{reinterpret_cast<Integers::Bits>(part.v)}; };
-    return {integers(bits.a), integers(bits.b), integers(bits.c), integers(bits.d)};
-  }
-};
-// Integers with a sign, rounded to nearest.
-inline Floats to_floats(Integers a) {
-  return {__builtin_convertvector(a.with_sign(), Floats::Word::Real)};
-}
 // a in lanes whose bits are all set, b in those where none is.
 inline Integers chosen(Integers all_or_none, Integers a, Integers b) {
   return {b.v ^ ((a.v ^ b.v) & all_or_none.v)};
 }
 
-inline LaneBits lane_bits(const Floats::Word::Mask &mask) {
-#if defined(__aarch64__)
-  constexpr uint32_t bit[4] = {1, 2, 4, 8};
-  return vaddvq_u32(vandq_u32(uint32x4_t(mask), vld1q_u32(bit)));
-#elif defined(__wasm_simd128__)
-  return wasm_i32x4_bitmask(v128_t(mask));
-#else
-  return static_cast<LaneBits>(Floats::Word::set_lanes(mask));
-#endif
-}
-
-// a b + c, a b - c and c - a b, rounded once with NEON and twice without.
-inline Floats fused(Floats a, Floats b, Floats c) {
-#if defined(__aarch64__)
-  return {Floats::Word::Real(vfmaq_f32(float32x4_t(c.v), float32x4_t(a.v), float32x4_t(b.v)))};
-#else
-  return {a.v * b.v + c.v};
-#endif
-}
+// a b - c and c - a b
 inline Floats fused_minus(Floats a, Floats b, Floats c) {
 #if defined(__aarch64__)
   return fused(a, b, -c);
@@ -180,13 +62,6 @@ inline Floats minus_fused(Floats a, Floats b, Floats c) {
   return {c.v - a.v * b.v};
 #endif
 }
-inline Doubles fused(Doubles a, Doubles b, Doubles c) {
-#if defined(__aarch64__)
-  return {Doubles::Word::Real(vfmaq_f64(float64x2_t(c.v), float64x2_t(a.v), float64x2_t(b.v)))};
-#else
-  return {a.v * b.v + c.v};
-#endif
-}
 inline Doubles fused_minus(Doubles a, Doubles b, Doubles c) {
   return fused(a, b, {-c.v});
 }
@@ -194,50 +69,6 @@ inline Doubles fused_minus(Doubles a, Doubles b, Doubles c) {
 inline Floats distance(Floats a, Floats b) {
   return b - a;
 }
-inline Floats square_root(Floats a) {
-#if defined(__SSE2__)
-  return {Floats::Word::Real(_mm_sqrt_ps(__m128(a.v)))};
-#elif defined(__aarch64__)
-  return {Floats::Word::Real(vsqrtq_f32(float32x4_t(a.v)))};
-#elif defined(__wasm_simd128__)
-  return {Floats::Word::Real(wasm_f32x4_sqrt(v128_t(a.v)))};
-#else
-  return {Floats::Word::square_root(a.v)};
-#endif
-}
-// The larger and the smaller number; either of the two if one is NaN.
-inline Floats larger(Floats a, Floats b) {
-#if defined(__SSE2__)
-  return {Floats::Word::Real(_mm_max_ps(__m128(a.v), __m128(b.v)))};
-#elif defined(__aarch64__)
-  return {Floats::Word::Real(vmaxq_f32(float32x4_t(a.v), float32x4_t(b.v)))};
-#elif defined(__wasm_simd128__)
-  return {Floats::Word::Real(wasm_f32x4_pmax(v128_t(b.v), v128_t(a.v)))};
-#else
-  return {Floats::Word::larger(a.v, b.v)};
-#endif
-}
-inline Floats smaller(Floats a, Floats b) {
-#if defined(__SSE2__)
-  return {Floats::Word::Real(_mm_min_ps(__m128(a.v), __m128(b.v)))};
-#elif defined(__aarch64__)
-  return {Floats::Word::Real(vminq_f32(float32x4_t(a.v), float32x4_t(b.v)))};
-#elif defined(__wasm_simd128__)
-  return {Floats::Word::Real(wasm_f32x4_pmin(v128_t(b.v), v128_t(a.v)))};
-#else
-  return {Floats::Word::smaller(a.v, b.v)};
-#endif
-}
-// c in lanes where a > b, d in the others, also where a or b is NaN.
-inline Floats where_greater(Floats a, Floats b, Floats c, Floats d) {
-  return {Floats::Word::select(a.v > b.v, c.v, d.v)};
-}
-// The size of one number with the sign of another.
-inline Floats with_sign_of(Floats size, Floats sign) {
-  using W = Floats::Word;
-  return {W::number(W::bits(W::absolute(size.v)) | (W::bits(sign.v) & W::bits(W::all(-0.0F))))};
-}
-
 // Four doubles as floats, rounded to nearest.
 inline Floats to_floats(Doubles low, Doubles high) {
 #if defined(__SSE2__)
@@ -250,18 +81,9 @@ inline Floats to_floats(Doubles low, Doubles high) {
 #endif
 }
 
-// Comparisons; all false for NaN.
-inline LaneBits greater(Floats a, Floats b) {
-  return lane_bits(a.v > b.v);
-}
-inline LaneBits not_greater(Floats a, Floats b) {  // but true for NaN
-  return lane_bits(~(a.v > b.v));
-}
-inline LaneBits not_less(Floats a, Floats b) {
-  return lane_bits(a.v >= b.v);
-}
-inline LaneBits equal(Integers a, Integers b) {
-  return lane_bits(a.v == b.v);
+// True for NaN.
+inline LaneBits not_greater(Floats a, Floats b) {
+  return Floats::set_lanes(~(a.v > b.v));
 }
 
 // The larger and the smaller of integers with a sign.
@@ -271,28 +93,10 @@ inline Integers larger_signed(Integers a, Integers b) {
 inline Integers smaller_signed(Integers a, Integers b) {
   return Integers::of(a.with_sign() < b.with_sign() ? a.with_sign() : b.with_sign());
 }
-inline LaneBits sign_bits(Integers a) {
-#if defined(__SSE2__)
-  return lane_bits(a.with_sign());
-#else
-  return lane_bits(a.with_sign() < 0);
-#endif
-}
-inline LaneBits greater_signed(Integers a, Integers b) {
-  return lane_bits(a.with_sign() > b.with_sign());
-}
 // Whether a > b in all lanes that are set in `set`.
 inline bool all_greater(Integers a, Integers b, Integers set) {
-  return lane_bits(set.with_sign() & ~(a.with_sign() > b.with_sign())) == 0;
+  return Floats::set_lanes(set.with_sign() & ~(a.with_sign() > b.with_sign())) == 0;
 }
-// By the sign bit: true for -0.
-inline LaneBits negative(Floats a) {
-  return sign_bits({reinterpret_cast<Integers::Bits>(a.v)});
-}
-inline Floats magnitude(Floats a) {
-  return {Floats::Word::absolute(a.v)};
-}
-
 // In each lane the smaller of a and `partners`; the larger one in lanes where takes_larger is -1.
 inline Integers exchange(Integers a, Integers partners, const Integers::Signed &takes_larger) {
   return chosen(Integers::of((a.with_sign() > partners.with_sign()) ^ takes_larger), partners, a);
@@ -323,16 +127,6 @@ inline Integers upper_halves(Doubles low, Doubles high) {
   return {__builtin_shufflevector(reinterpret_cast<Integers::Bits>(low.v), reinterpret_cast<Integers::Bits>(high.v), 1,
                                   3, 5, 7)};
 }
-
-template <>
-struct LaneCounts<Floats> {
-  Floats::Word::Mask negative = {};
-
-  void count_not_less(Floats a, Floats b) { negative += a.v >= b.v; }
-  LaneBits equal(int32_t count) const {
-    return lane_bits(negative == Floats::Word::Mask{-count, -count, -count, -count});
-  }
-};
 
 struct Fractions {
   typedef int16_t Word __attribute__((vector_size(16)));
@@ -594,7 +388,9 @@ struct EightFloats {
   const float *p;
 
   static EightFloats load(const float *p) { return {p}; }
-  Floats in_order(const uint8_t *order) const { return Floats::at(p, order); }
+  Floats in_order(const uint8_t *order) const {
+    return {Floats::Word::Real{p[order[0]], p[order[1]], p[order[2]], p[order[3]]}};
+  }
 };
 
 }  // namespace

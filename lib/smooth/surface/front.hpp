@@ -46,7 +46,7 @@ class Front<8> {
  public:
   explicit Front(uint32_t chosen) : order_(FrontOrder::of_eight(chosen)), chosen_(chosen) {}
   uint32_t count() const { return ones(chosen_); }
-  void store(float *p, const Wide<float, 8>::Real &a) const { store_front(p, Floats{__m256(a)}, order_); }
+  void store(float *p, const Wide<float, 8>::Real &a) const { store_front(p, Floats{a}, order_); }
   void copy(uint32_t *p, const uint32_t *from) const { store_front(p, Integers::load(from), order_); }
 
  private:
