@@ -63,7 +63,7 @@ int32_t hsp_surface_limits_init(hsp_surface_limits *limits, uint32_t struct_size
   if (!boundary->has_results()) return HSP_E_STATE;
   const hsp::Boundary &structure = boundary->structure();
   const hsp::SurfaceLimits enough =
-      hsp::default_surface_limits(structure.vertex_count(), structure.face_count(), structure.circle_count());
+      hsp::default_limits(structure.vertex_count(), structure.face_count(), structure.circle_count());
   return hsp_surface::Limits::write(enough, limits, struct_size);
 }
 

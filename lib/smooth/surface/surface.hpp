@@ -28,7 +28,7 @@ struct SurfaceLimits {
 
 // Enough for molecules: in haemoglobin no probe is overlapped by more than 34 others; up to 22 of 100 concave patches
 // are cut, into pieces of 5 arcs.
-constexpr SurfaceLimits default_surface_limits(uint32_t vertices, uint32_t faces, uint32_t circles) {
+constexpr SurfaceLimits default_limits(uint32_t vertices, uint32_t faces, uint32_t circles) {
   return {vertices, faces, 64, vertices / 4 + 16, vertices + vertices / 4 + 64, vertices / 8 + circles + 16};
 }
 

@@ -16,18 +16,18 @@ class BuiltSurface {
     status_ = boundary_memory_.build(boundary_, hsp::BoundaryLimits{n, n, 8 * n, n, 0}, built_.grid());
     if (status_ != hsp::Status::ok) return;
     const hsp::Boundary &found = boundary();
-    status_ = surface_memory_.build(
-        surface_, hsp::default_surface_limits(found.vertex_count(), found.face_count(), found.circle_count()),
-        this->balls(), found);
+    status_ = surface_memory_.build(surface_,
+                                    hsp::default_limits(found.vertex_count(), found.face_count(), found.circle_count()),
+                                    this->balls(), found);
   }
 
   // Builds the surface again, over these shells of the boundary alone.
   hsp::Status choose(const std::vector<uint32_t> &shells) {
     const hsp::Boundary &found = boundary();
     const hsp::Span<const uint32_t> chosen(shells.data(), static_cast<uint32_t>(shells.size()));
-    status_ = surface_memory_.build(
-        surface_, hsp::default_surface_limits(found.vertex_count(), found.face_count(), found.circle_count()), balls(),
-        found, hsp::Patience(), &chosen);
+    status_ = surface_memory_.build(surface_,
+                                    hsp::default_limits(found.vertex_count(), found.face_count(), found.circle_count()),
+                                    balls(), found, hsp::Patience(), &chosen);
     return status_;
   }
 

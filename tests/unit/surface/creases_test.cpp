@@ -214,7 +214,7 @@ TEST(Creases, HaveTheSameBitsInAnyRoom) {
       const hsp::Boundary &boundary = built.boundary();
       for (const uint32_t neighbours : {1U, 400U}) {
         hsp::SurfaceLimits limits =
-            hsp::default_surface_limits(boundary.vertex_count(), boundary.face_count(), boundary.circle_count());
+            hsp::default_limits(boundary.vertex_count(), boundary.face_count(), boundary.circle_count());
         limits.neighbours = neighbours;
         CarvedMemory memory;
         hsp::SurfaceBuilder builder;
