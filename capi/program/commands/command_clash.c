@@ -8,6 +8,7 @@
 #include "commands/commands.h"
 #include "commands/input_report.h"
 #include "read/geometry.h"
+#include "read/vectors.h"
 #include "write/ball_label.h"
 
 /* The findings, and the bodies that they are found with. */
@@ -99,9 +100,7 @@ static int32_t pose_of(const struct molecule_request *moving, hsp_pose *pose) {
     for (int axis = 0; axis < 3; ++axis) mean[axis] += molecule->xyz[3 * (size_t)i + (size_t)axis] / molecule->atoms;
   }
   for (int row = 0; row < 3; ++row) {
-    const double *const m = matrix + 3 * row;
-    translation[row] =
-        mean[row] + moving->request->clash.translate.xyz[row] - (m[0] * mean[0] + m[1] * mean[1] + m[2] * mean[2]);
+    translation[row] = mean[row] + moving->request->clash.translate.xyz[row] - dot(matrix + 3 * row, mean);
   }
   return hsp_pose_from_matrix(matrix, translation, pose);
 }

@@ -6,6 +6,7 @@
 
 #include "draw/view_axes.h"
 #include "read/geometry.h"
+#include "read/vectors.h"
 
 enum { LARGEST = 3 };
 static const double cells_across = 200.0;
@@ -64,7 +65,7 @@ static void find_up(const struct molecule *molecule, double axis[3][3], double u
       const double *const xyz = molecule->xyz + 3 * (size_t)atom;
       double at[2];
       for (int k = 0; k < 2; ++k) {
-        at[k] = axis[k][0] * xyz[0] + axis[k][1] * xyz[1] + axis[k][2] * xyz[2] - mean[k];
+        at[k] = dot(axis[k], xyz) - mean[k];
         square[k] += pass == 0 ? at[k] / molecule->atoms : at[k] * at[k];
       }
       product += pass == 0 ? 0.0 : at[0] * at[1];

@@ -6,6 +6,7 @@
 #include "draw/look.h"
 #include "draw/pocket_colours.h"
 #include "hardsphere.h"
+#include "read/vectors.h"
 
 static const uint32_t inside_colour = 0xC9B79C;
 static const uint32_t void_colour = 0x14747A;
@@ -40,7 +41,7 @@ void mesh_place(const struct frame *frame, const double *at, int32_t page[2]) {
 }
 
 void mesh_turn(const double axis[3][3], const double *from, double to[3]) {
-  for (int k = 0; k < 3; ++k) to[k] = axis[k][0] * from[0] + axis[k][1] * from[1] + axis[k][2] * from[2];
+  for (int k = 0; k < 3; ++k) to[k] = dot(axis[k], from);
 }
 
 /* ---- sides and colours ---- */

@@ -3,6 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "read/vectors.h"
+
 enum { CRUMB_PART = 100 };
 
 uint32_t mesh_parts_root(uint32_t *root, uint32_t v) {
@@ -45,7 +47,7 @@ static void look(const struct triangle_mesh *mesh, const double axis[3][3], stru
   for (size_t v = 0; v < mesh->vertices; ++v) {
     const double *at = mesh->xyz + 3 * v;
     for (int k = 0; k < 3; ++k) {
-      const double x = axis[k][0] * at[0] + axis[k][1] * at[1] + axis[k][2] * at[2];
+      const double x = dot(axis[k], at);
       parts->seen[3 * v + (size_t)k] = x;
       if (v == 0 || x < parts->low[k]) parts->low[k] = x;
       if (v == 0 || x > parts->high[k]) parts->high[k] = x;

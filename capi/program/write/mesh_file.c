@@ -38,10 +38,11 @@ bool triangle_mesh_read(const hsp_mesh *mesh, struct triangle_mesh *into, struct
 }
 
 static bool append(void *array, size_t size, size_t count, const void *more, size_t more_count) {
-  void **const whole = array;
-  void *const grown = realloc(*whole, (count + more_count + 1) * size);
+  void *items;
+  memcpy(&items, array, sizeof items); /* whatever it points to, as in growing_array.c */
+  void *const grown = realloc(items, (count + more_count + 1) * size);
   if (grown == NULL) return false;
-  *whole = grown;
+  memcpy(array, &grown, sizeof grown);
   memcpy((char *)grown + count * size, more, more_count * size);
   return true;
 }
