@@ -17,6 +17,7 @@ void CreasedPatches::push(const Inputs &in, uint32_t across, uint32_t start, uin
 // A side runs from its second ball to its first. If it has cusps it is two arcs: from the second ball to the cusp
 // there, and from the other cusp to the first ball.
 void CreasedPatches::add_sides(const Inputs &in, uint32_t v) {
+  arcs_ = FixedVector(begin_array<BorderArc>(memory_.part(0, words_of<BorderArc>(memory_.size() / words_of_arc))));
   const VertexRecord &record = in.actual.boundary().vertex(v);
   const uint32_t first_cusp = 3 * in.actual.boundary().vertex_count();
   for (uint32_t slot = 0; slot < 3; ++slot) {
@@ -33,34 +34,25 @@ void CreasedPatches::add_sides(const Inputs &in, uint32_t v) {
   }
 }
 
-void CreasedPatches::add_creases(const Inputs &in, const NearVertices &near, uint32_t v) {
-  for (const uint32_t w : near.list()) {
-    for (const uint32_t k : in.creases.between(v < w ? v : w, v < w ? w : v)) {
-      const Crease &crease = in.creases.creases()[k];
-      push(in, w, v < w ? crease.start : crease.end, v < w ? crease.end : crease.start);
-    }
-  }
-}
-
-Span<BorderArc> CreasedPatches::find_border(const Inputs &in, const NearVertices &near, uint32_t v) {
-  arcs_ = FixedVector(begin_array<BorderArc>(memory_.part(0, words_of<BorderArc>(memory_.size() / words_of_arc))));
-  add_sides(in, v);
-  const uint64_t sides = arcs_.required();
-  add_creases(in, near, v);
-  if (arcs_.required() == sides) arcs_.clear();
+Span<BorderArc> CreasedPatches::find_border(const Inputs &in, uint32_t v) {
+  arcs_ = {};
+  in.creases.for_each_of_vertex(v, [&](const Crease &crease) {
+    if (arcs_.items().empty()) add_sides(in, v);
+    const bool is_low = crease.low == v;
+    push(in, is_low ? crease.high : crease.low, is_low ? crease.start : crease.end, is_low ? crease.end : crease.start);
+  });
   return arcs_.items();
 }
 
 Status CreasedPatches::fill(const Inputs &in, CutPatches &cut, Patience &patience) {
   const uint32_t vertices = in.actual.boundary().vertex_count();
-  NearVertices near(in.actual, in.chosen, in.grid, in.creases.near_list());
   cut.clear();
   keep_vertices(in, words_of<BorderArc>(memory_.size() / words_of_arc));
   for (uint32_t v = 0; v < vertices; ++v) {
-    near.find(v);
-    if (!patience.allows(20000 * (1 + near.asked()))) return Status::stopped;
     cut.begin_vertex(v);
-    if (find_border(in, near, v).empty()) continue;
+    const Span<BorderArc> arcs = find_border(in, v);
+    if (!patience.allows(500 + 5000 * uint64_t{arcs.size()})) return Status::stopped;
+    if (arcs.empty()) continue;
     const Status status = arcs_.overflowed() ? Status::degenerate : store_patch(in, v, cut);
     if (status != Status::ok) return status;
   }

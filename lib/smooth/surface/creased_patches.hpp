@@ -18,10 +18,9 @@ class CreasedPatches {
  public:
   struct Inputs {
     const ActualBalls &actual;
-    const ChosenFaces &chosen;
     const ProbeGrid &grid;
     const CuspedCircles &cusped;
-    Creases &creases;  // whose list of near vertices is used
+    const Creases &creases;
   };
 
   // Memory for the borders of one patch: so many words for each arc.
@@ -32,12 +31,11 @@ class CreasedPatches {
   // Status::stopped if `patience` stops it.
   Status fill(const Inputs &in, CutPatches &cut, Patience &patience);
 
-  // The arcs around the patch of v, in no order; none if the patch has no crease. `near` must list the vertices near v.
-  Span<BorderArc> find_border(const Inputs &in, const NearVertices &near, uint32_t v);
+  // The arcs around the patch of v, in no order; none if the patch has no crease.
+  Span<BorderArc> find_border(const Inputs &in, uint32_t v);
 
  private:
   void add_sides(const Inputs &in, uint32_t v);
-  void add_creases(const Inputs &in, const NearVertices &near, uint32_t v);
   void push(const Inputs &in, uint32_t across, uint32_t start, uint32_t end);
   // Keeps positions of vertices from patch to patch in the memory from word `first` on, behind borders and figures.
   void keep_vertices(const Inputs &in, uint32_t first);

@@ -24,11 +24,12 @@ void Creases::carve(Workspace &workspace, uint32_t near, uint32_t creases, uint3
   // A crease's pair has at most two corners with each other vertex, and the cusps of three circles.
   ends_ = FixedVector(workspace.take<CreaseEnd>(2 * uint64_t{near} + 6));
   creases_ = FixedVector(workspace.take<Crease>(creases));
+  by_high_ = workspace.take<uint32_t>(creases);
   corners_ = FixedVector(workspace.take<CreaseCorner>(corners));
 }
 
 Status Creases::build(const ActualBalls &actual, const ChosenFaces &chosen, const ProbeGrid &grid,
-                      const CuspedCircles &cusped, Patience &patience) {
+                      const CuspedCircles &cusped, ProbeTriangles &triangles, Patience &patience) {
   actual_ = &actual;
   cusped_ = &cusped;
   first_cusp_ = 3 * actual.boundary().vertex_count();
@@ -36,10 +37,36 @@ Status Creases::build(const ActualBalls &actual, const ChosenFaces &chosen, cons
   most_near_ = 0;
   creases_.clear();
   corners_.clear();
-  NearVertices near(actual, chosen, grid, near_);
-  const Status status = find_corners(near, patience);
-  if (status != Status::ok) return status;
-  return find_creases(chosen, grid, near, patience);
+  NearVertices near(actual, chosen, grid, triangles, near_);
+  const auto has_room = [this] { return most_near_ <= near_.capacity() && !corners_.overflowed(); };
+  Status found = Status::ok;
+  for (uint32_t v = 0; v < actual.boundary().vertex_count(); ++v) {
+    const bool fits = near.find(v);
+    most_near_ = larger_count(most_near_, clamped_count(near.required()));
+    if (!fits) continue;
+    if (!patience.allows(5000 + of_a_pair * near.asked()) || !find_corners(v, patience)) return Status::stopped;
+    if (found == Status::ok && has_room()) found = find_creases(chosen, grid, v, patience);
+    if (found == Status::stopped) return found;
+  }
+  if (!has_room()) {
+    creases_.clear();
+    return Status::capacity;
+  }
+  if (found != Status::ok || actual.answers().by_none != 0) return Status::degenerate;
+  if (creases_.overflowed()) return Status::capacity;
+  for (uint32_t k = 0; k < creases_.size(); ++k) by_high_[k] = k;
+  sort_in_place(by_high_.part(0, creases_.size()), [this](uint32_t j, uint32_t k) {
+    return creases_[j].high != creases_[k].high ? creases_[j].high < creases_[k].high : j < k;
+  });
+  return Status::ok;
+}
+
+uint32_t Creases::first_with_low(uint32_t vertex) const {
+  return first_index(0, creases_.size(), [&](uint32_t k) { return creases_[k].low >= vertex; });
+}
+
+uint32_t Creases::first_with_high(uint32_t vertex) const {
+  return first_index(0, creases_.size(), [&](uint32_t k) { return creases_[by_high_[k]].high >= vertex; });
 }
 
 // Whether three vertices are on one circle. Then they have no corner: it would be on the circle's axis, like the cusps.
@@ -52,35 +79,20 @@ bool Creases::on_one_circle(uint32_t a, uint32_t b, uint32_t c) const {
   return common >= 2;
 }
 
-// Finds each corner at its lowest vertex.
-Status Creases::find_corners(NearVertices &near, Patience &patience) {
-  for (uint32_t a = 0; a < actual_->boundary().vertex_count(); ++a) {
-    const bool fits = near.find(a);
-    most_near_ = larger_count(most_near_, clamped_count(near.required()));
-    if (!fits) continue;
-    const Span<const uint32_t> others = near.list();
-    if (!patience.allows(5000 + of_a_pair * near.asked())) return Status::stopped;
-    for (uint32_t k = 0; k < others.size(); ++k) {
-      if (others[k] > a && !patience.allows(of_a_pair * uint64_t{others.size() - k})) return Status::stopped;
-      for (uint32_t j = k + 1; others[k] > a && j < others.size(); ++j) {
-        const uint32_t b = others[k], c = others[j];
-        const uint32_t corners = on_one_circle(a, b, c) ? 0 : actual_->corners(a, b, c, others);
-        if ((corners & 1) != 0) corners_.push({{a, b, c}, -1});
-        if ((corners & 2) != 0) corners_.push({{a, b, c}, 1});
-      }
+// Finds the corners whose lowest vertex is a. False if `patience` stops it.
+bool Creases::find_corners(uint32_t a, Patience &patience) {
+  const Span<const uint32_t> others = near_.items();
+  for (uint32_t k = 0; k < others.size(); ++k) {
+    if (others[k] < a) continue;
+    if (!patience.allows(of_a_pair * uint64_t{others.size() - k})) return false;
+    for (uint32_t j = k + 1; j < others.size(); ++j) {
+      const uint32_t b = others[k], c = others[j];
+      const uint32_t corners = on_one_circle(a, b, c) ? 0 : actual_->corners(a, b, c, others);
+      if ((corners & 1) != 0) corners_.push({{a, b, c}, -1});
+      if ((corners & 2) != 0) corners_.push({{a, b, c}, 1});
     }
   }
-  if (most_near_ > near_.capacity() || corners_.overflowed()) return Status::capacity;
-  return actual_->answers().by_none == 0 ? Status::ok : Status::degenerate;
-}
-
-IdRange Creases::between(uint32_t low, uint32_t high) const {
-  const auto from = [&](uint32_t last) {
-    return first_index(0, creases_.size(), [&](uint32_t k) {
-      return creases_[k].low > low || (creases_[k].low == low && creases_[k].high >= last);
-    });
-  };
-  return {from(high), from(high + 1)};
+  return true;
 }
 
 BorderPoint Creases::point(uint32_t corner) const {
@@ -131,27 +143,23 @@ void Creases::add_corner_ends(uint32_t v, uint32_t w, uint32_t x) {
   }
 }
 
-Status Creases::find_creases(const ChosenFaces &chosen, const ProbeGrid &grid, NearVertices &near, Patience &patience) {
-  for (uint32_t v = 0; v < actual_->boundary().vertex_count(); ++v) {
-    near.find(v);
-    if (!patience.allows(5000 + of_a_pair * near.asked())) return Status::stopped;
-    for (const uint32_t w : near.list()) {
-      if (w < v) continue;
-      if (!patience.allows(of_a_pair)) return Status::stopped;
-      ends_.clear();
-      if (!corners_.items().empty()) {
-        for (const uint32_t x : near.list()) {
-          if (x != w) add_corner_ends(v, w, x);
-        }
+// Finds the creases whose lower vertex is v.
+Status Creases::find_creases(const ChosenFaces &chosen, const ProbeGrid &grid, uint32_t v, Patience &patience) {
+  for (const uint32_t w : near_.items()) {
+    if (w < v) continue;
+    if (!patience.allows(of_a_pair)) return Status::stopped;
+    ends_.clear();
+    if (!corners_.items().empty()) {
+      for (const uint32_t x : near_.items()) {
+        if (x != w) add_corner_ends(v, w, x);
       }
-      const bool share_cusps = add_cusps(chosen, v, w);
-      if (ends_.overflowed()) return Status::degenerate;
-      const Status status = add_creases(grid, v, w, share_cusps);
-      if (status != Status::ok) return status;
     }
+    const bool share_cusps = add_cusps(chosen, v, w);
+    if (ends_.overflowed()) return Status::degenerate;
+    const Status status = add_creases(grid, v, w, share_cusps);
+    if (status != Status::ok) return status;
   }
-  if (creases_.overflowed()) return Status::capacity;
-  return actual_->answers().by_none == 0 ? Status::ok : Status::degenerate;
+  return Status::ok;
 }
 
 // Sorts the ends of the pair at hand around the circle. They must be starts and ends of creases by turns.

@@ -3,7 +3,8 @@
 // (actual_balls.hpp), so that the patches fit together. PROOFS.md, section 10, has the rules.
 //
 // Only the creases and corners that exist are stored, both in the order of their vertices. The probes that may cut a
-// patch are not stored, but searched for each time.
+// patch are searched for once. A corner is found at the lowest of its three vertices, a crease at the lower of its two:
+// by then the corners at both of its ends are known.
 #pragma once
 
 #include "surface/actual_balls.hpp"
@@ -35,8 +36,9 @@ class Creases {
   void carve(Workspace &workspace, uint32_t near, uint32_t creases, uint32_t corners);
 
   // Status::capacity if there is no room; Status::degenerate if a sign is not certain in any width; Status::stopped.
+  // `triangles` is memory for the search.
   Status build(const ActualBalls &actual, const ChosenFaces &chosen, const ProbeGrid &grid, const CuspedCircles &cusped,
-               Patience &patience);
+               ProbeTriangles &triangles, Patience &patience);
 
   // The most vertices near one vertex, and the numbers of all corners and creases. They are counted also where there is
   // no room, but creases only if there was room for the other two.
@@ -46,16 +48,21 @@ class Creases {
 
   Span<const CreaseCorner> corners() const { return corners_.items(); }
   Span<const Crease> creases() const { return creases_.items(); }
-  // The creases of two vertices.
-  IdRange between(uint32_t low, uint32_t high) const;
-  // The list that receives the vertices near one vertex.
-  FixedVector<uint32_t> &near_list() { return near_; }
+  // Calls visit(crease) for all creases of a vertex, in the order of the other vertex.
+  template <class Visit>
+  void for_each_of_vertex(uint32_t v, Visit visit) const {
+    const Span<const Crease> all = creases_.items();
+    for (uint32_t k = first_with_high(v); k < all.size() && all[by_high_[k]].high == v; ++k) visit(all[by_high_[k]]);
+    for (uint32_t k = first_with_low(v); k < all.size() && all[k].low == v; ++k) visit(all[k]);
+  }
   // The name of a corner, by its number.
   BorderPoint point(uint32_t corner) const;
 
  private:
-  Status find_corners(NearVertices &near, Patience &patience);
-  Status find_creases(const ChosenFaces &chosen, const ProbeGrid &grid, NearVertices &near, Patience &patience);
+  bool find_corners(uint32_t a, Patience &patience);
+  Status find_creases(const ChosenFaces &chosen, const ProbeGrid &grid, uint32_t v, Patience &patience);
+  uint32_t first_with_low(uint32_t vertex) const;
+  uint32_t first_with_high(uint32_t vertex) const;
   bool on_one_circle(uint32_t a, uint32_t b, uint32_t c) const;
   void add_corner_ends(uint32_t v, uint32_t w, uint32_t x);
   bool add_cusps(const ChosenFaces &chosen, uint32_t v, uint32_t w);
@@ -65,6 +72,7 @@ class Creases {
   FixedVector<CreaseEnd> ends_;
   FixedVector<CreaseCorner> corners_;
   FixedVector<Crease> creases_;
+  Span<uint32_t> by_high_;  // the creases by their higher vertex
 
   const ActualBalls *actual_ = nullptr;
   const CuspedCircles *cusped_ = nullptr;

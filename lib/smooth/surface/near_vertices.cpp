@@ -30,14 +30,13 @@ bool NearVertices::find(uint32_t vertex) {
 void NearVertices::find_by_floats(uint32_t vertex) {
   const BallSet &balls = actual_.balls();
   const Boundary &boundary = actual_.boundary();
-  ProbeTriangles triangles;
-  measure_triangles(balls, boundary, grid_.positions(), vertex, triangles);
+  const uint32_t lane = measure_next_triangle(balls, boundary, grid_.positions(), vertex, triangles_);
   ProbeSearch search;
   grid_.start_search(balls, vertex, search);
-  aim(triangles, 0, search);
-  const double error = vertex_error * static_cast<double>(balls.largest_radius) * triangles.side_error[0];
+  aim(triangles_, lane, search);
+  const double error = vertex_error * static_cast<double>(balls.largest_radius) * triangles_.side_error[lane];
   const bool has_sides =
-      triangles.steradians[0] >= 0.0 && boundary.root_discriminant(vertex) > 0.0 && error <= most_side_error;
+      triangles_.steradians[lane] >= 0.0 && boundary.root_discriminant(vertex) > 0.0 && error <= most_side_error;
   if (!has_sides) search.margin = no_limit;
   list_.clear();
   for_each_near_probe(boundary.target(), search, [&](uint32_t other) {

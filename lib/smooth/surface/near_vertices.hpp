@@ -12,13 +12,14 @@ namespace hsp {
 
 class NearVertices {
  public:
-  // The list is the caller's.
-  NearVertices(const ActualBalls &actual, const ChosenFaces &chosen, const ProbeGrid &grid, FixedVector<uint32_t> &list)
-      : actual_(actual), chosen_(chosen), grid_(grid), list_(list) {}
+  // The list and the triangles are the caller's.
+  NearVertices(const ActualBalls &actual, const ChosenFaces &chosen, const ProbeGrid &grid, ProbeTriangles &triangles,
+               FixedVector<uint32_t> &list)
+      : actual_(actual), chosen_(chosen), grid_(grid), triangles_(triangles), list_(list) {}
 
-  // Lists the vertices near this one, in ascending order. False if there is no room.
+  // Lists the vertices near this one, in ascending order. Vertices must be passed in order, from the first on. False if
+  // there is no room.
   bool find(uint32_t vertex);
-  Span<const uint32_t> list() const { return list_.items(); }
   // The room that the list needed before any decision of the actual set, also if there was too little.
   uint64_t required() const { return required_; }
   // How many of them the actual set was asked about, if there was room.
@@ -34,6 +35,7 @@ class NearVertices {
   const ActualBalls &actual_;
   const ChosenFaces &chosen_;
   const ProbeGrid &grid_;
+  ProbeTriangles &triangles_;
   FixedVector<uint32_t> &list_;
   uint64_t required_ = 0;
 };

@@ -116,8 +116,7 @@ bool ProbeCaps::misses(const Vec3 &axis, double height, double error) const {
 }
 
 void ProbeCaps::measure_sides(const BallSet &balls, const Boundary &boundary, const ProbeGrid &grid) {
-  lane_ = vertex_ % ProbeTriangles::lanes;
-  if (lane_ == 0) measure_triangles(balls, boundary, grid.positions(), vertex_, triangles_);
+  lane_ = measure_next_triangle(balls, boundary, grid.positions(), vertex_, triangles_);
   side_error_ = vertex_error * static_cast<double>(balls.largest_radius) * triangles_.side_error[lane_];
 }
 

@@ -44,6 +44,9 @@ class ProbeCaps {
   // The ball of the vertex that a side is opposite to.
   uint32_t ball_opposite(uint32_t side) const { return triangles_.ball[side][lane_]; }
 
+  // Memory for other searches, which must begin anew with the first vertex, as gather() has to after them.
+  ProbeTriangles &triangles() { return triangles_; }
+
   // The factor by which the errors of the caps exceed those stated in sphere/caps.hpp.
   double amplification() const { return amplification_; }
 

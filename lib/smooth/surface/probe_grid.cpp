@@ -109,6 +109,13 @@ void measure_triangles(const BallSet &balls, const Boundary &boundary, const Pro
   measure_triangles(boundary.target(), arrays_of(balls), triangles);
 }
 
+uint32_t measure_next_triangle(const BallSet &balls, const Boundary &boundary, const ProbePositions &positions,
+                               uint32_t vertex, ProbeTriangles &triangles) {
+  const uint32_t lane = vertex % ProbeTriangles::lanes;
+  if (lane == 0) measure_triangles(balls, boundary, positions, vertex, triangles);
+  return lane;
+}
+
 void aim(const ProbeTriangles &triangles, uint32_t lane, ProbeSearch &search) {
   for (int k = 0; k < 3; ++k) {
     for (int axis = 0; axis < 3; ++axis) {

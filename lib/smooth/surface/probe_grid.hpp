@@ -89,6 +89,9 @@ void gather_triangles(const Boundary &boundary, const ProbePositions &positions,
                       ProbeTriangles &triangles);
 void measure_triangles(const BallSet &balls, const Boundary &boundary, const ProbePositions &positions, uint32_t first,
                        ProbeTriangles &triangles);
+// The same for one vertex after the other, from the first on. Returns the lane of this one.
+uint32_t measure_next_triangle(const BallSet &balls, const Boundary &boundary, const ProbePositions &positions,
+                               uint32_t vertex, ProbeTriangles &triangles);
 // Makes the triangle in this lane the one of the search.
 void aim(const ProbeTriangles &triangles, uint32_t lane, ProbeSearch &search);
 

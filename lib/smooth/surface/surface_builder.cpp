@@ -134,7 +134,8 @@ Status SurfaceBuilder::cut_actual_patches(const ActualBalls &actual, Patience &p
   surface_.of_actual_balls_ = true;
   // The memory of patches that are cut on their own is free.
   actual.keep_vertices(begin_array<uint64_t>(border_room_));
-  Status status = creases_.build(actual, surface_.chosen_, grid_, surface_.cusped_circles_, patience);
+  Status status =
+      creases_.build(actual, surface_.chosen_, grid_, surface_.cusped_circles_, probe_.triangles(), patience);
   needed_.neighbours = larger_count(needed_.neighbours, creases_.most_near());
   need_arcs(arcs_for_corner * uint64_t{creases_.required_corners()});
   need_arcs(arcs_for_crease * uint64_t{creases_.required_creases()});
@@ -150,7 +151,7 @@ Status SurfaceBuilder::cut_actual_patches(const ActualBalls &actual, Patience &p
   }
   if (status != Status::ok) return status;
   creased_.use(begin_array<uint64_t>(border_room_));
-  status = creased_.fill({actual, surface_.chosen_, grid_, surface_.cusped_circles_, creases_}, cut, patience);
+  status = creased_.fill({actual, grid_, surface_.cusped_circles_, creases_}, cut, patience);
   actual.keep_vertices({});
   use_for_doubles();
   if (status != Status::ok) return status;

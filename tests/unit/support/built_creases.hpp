@@ -20,7 +20,7 @@ class BuiltCreases {
     uint32_t near = 0, creases = 0, corners = 0;
     do {
       crease_memory_.carve(creases_, near, creases, corners);
-      status_ = creases_.build(actual_, chosen_, grid_, built.surface().cusped_circles(), endless);
+      status_ = creases_.build(actual_, chosen_, grid_, built.surface().cusped_circles(), triangles_, endless);
       near = creases_.most_near();
       creases = creases_.required_creases();
       corners = creases_.required_corners();
@@ -39,11 +39,7 @@ class BuiltCreases {
   const hsp::ActualBalls &actual() const { return actual_; }
   const hsp::Creases &creases() const { return creases_; }
   // The border of a vertex's patch after the creases have cut it.
-  hsp::Span<hsp::BorderArc> border(uint32_t vertex) {
-    hsp::NearVertices near(actual_, chosen_, grid_, creases_.near_list());
-    near.find(vertex);
-    return patches_.find_border(inputs(), near, vertex);
-  }
+  hsp::Span<hsp::BorderArc> border(uint32_t vertex) { return patches_.find_border(inputs(), vertex); }
   const hsp::CutPatches &cut() const { return cut_; }
   const hsp::ProbeGrid &grid() const { return grid_; }
 
@@ -51,9 +47,7 @@ class BuiltCreases {
   hsp::ConcavePatch patch(uint32_t v) const { return cut_.is_cut(v) ? cut_.patch(v) : built_.surface().patch(v); }
 
  private:
-  hsp::CreasedPatches::Inputs inputs() {
-    return {actual_, chosen_, grid_, built_.surface().cusped_circles(), creases_};
-  }
+  hsp::CreasedPatches::Inputs inputs() { return {actual_, grid_, built_.surface().cusped_circles(), creases_}; }
 
   const BuiltSurface &built_;
   hsp::ActualBalls actual_;
@@ -61,6 +55,7 @@ class BuiltCreases {
   CarvedMemory grid_memory_, crease_memory_, cut_memory_;
   std::vector<uint64_t> border_memory_;
   hsp::ProbeGrid grid_;
+  hsp::ProbeTriangles triangles_;
   hsp::Creases creases_;
   hsp::CreasedPatches patches_;
   hsp::CutPatches cut_;
