@@ -59,7 +59,7 @@ function finish_mutation(  why, whole, first, last) {
 }
 
 /^#/ && part == "" { next }
-/^[a-z][0-9][0-9]+ [^ ]+$/ {
+/^[a-z][0-9][0-9]+ [^ ]+( [a-z0-9_]+)?$/ {
   finish_mutation()
   current = $1
   file = $2

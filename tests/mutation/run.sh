@@ -4,7 +4,7 @@
 # Makes the mutants of mutations.txt (all, or those named), each alone in a copy of the tree, and runs the tests
 # until one fails. A mutant is killed if a test fails, crashes or takes far longer than without a mutation, else it has
 # survived. Left out are slow tests and those of oracles, packages, other processors and of this folder.
-# Writes what was found into results.csv. The exit status is 0 if every mutant compiled and survivors.txt explains
+# Writes what was found into mutations.txt. The exit status is 0 if every mutant compiled and survivors.txt explains
 # every survivor.
 # HSP_MUTATION_FOLDER (build/mutation) keeps the copies: a second run starts sooner. HSP_MUTATION_JOBS (as many as there
 # are cores) mutants are tried at a time.
@@ -14,7 +14,6 @@ source=$(cd "$here/../.." && pwd)
 folder=${HSP_MUTATION_FOLDER:-$source/build/mutation}
 jobs=${HSP_MUTATION_JOBS:-$(nproc)}
 mutations=$here/mutations.txt
-results=$here/results.csv
 export LC_ALL=C
 
 fail() {
@@ -24,11 +23,12 @@ fail() {
 
 mkdir -p "$folder"
 folder=$(cd "$folder" && pwd)
-names_of() { awk '/^[a-z][0-9][0-9]+ [^ ]+$/ { print $1 }' "$mutations"; }
-all_names=$(names_of)
+# Lines of mutations.txt: a name, a file and what noticed the mistake.
+named() { awk '/^[a-z][0-9][0-9]+ [^ ]+( [a-z0-9_]+)?$/' "$1"; }
+all_names=$(named "$mutations" | cut -d ' ' -f 1)
 if [ $# -gt 0 ]; then names=("$@"); else mapfile -t names <<<"$all_names"; fi
 # Left out here are those that slow tests, packages or other programs find, which are run by hand with the mistake made.
-if [ $# -eq 0 ]; then mapfile -t names < <(grep -vxFf <(sed -nE 's/,killed,(packaging_.*|.*_slow|clients_lammps)$//p' "$results") <<<"$all_names"); fi
+if [ $# -eq 0 ]; then mapfile -t names < <(named "$mutations" | awk '$3 !~ /^packaging_|_slow$|^clients_lammps$/ { print $1 }'); fi
 for name in "${names[@]}"; do grep -qx "$name" <<<"$all_names" || fail "no mutation is called $name"; done
 awk -v root="$source" -f "$here/mutations.awk" "$mutations" || fail "mutations.txt does not fit the code"
 
@@ -94,27 +94,24 @@ if [ ! -e "$folder/tests" ]; then
 fi
 echo "$(wc -l <"$folder/tests") tests, ${#names[@]} mutants"
 
-# The rows of the mutants tried replace those of before.
+# The tests that noticed the mutants tried replace those of before.
 : >"$folder/verdicts"
-touch "$results"
 keep_results() {
-  awk -F, -v OFS=, '
-    FNR == 1 { ++number }
-    number == 1 || FILENAME ~ /verdicts$/ { row[$1] = $0; next }
-    split($0, word, " ") == 2 && word[1] ~ /^[a-z][0-9][0-9]+$/ && word[1] in row { print row[word[1]] }
-  ' <(echo name,verdict,test; grep -v '^name,' "$results") "$folder/verdicts" "$mutations" >"$folder/results.csv"
-  { echo name,verdict,test; cat "$folder/results.csv"; } >"$results"
+  awk -v verdicts="$folder/verdicts" '
+    BEGIN { while ((getline line < verdicts) > 0) if (split(line, word, ",")) found[word[1]] = word[3] != "" ? word[3] : word[2] }
+    /^[a-z][0-9][0-9]+ [^ ]+( [a-z0-9_]+)?$/ && $1 in found { $0 = $1 " " $2 (found[$1] ~ / / ? "" : " " found[$1]) }
+    { print }' "$folder/mutations_before.txt" >"$mutations"
 }
-cp "$results" "$folder/results_before.csv"
+cp "$mutations" "$folder/mutations_before.txt"
 trap keep_results EXIT
 printf '%s\n' "${names[@]}" | xargs -P "$jobs" -n 1 --process-slot-var=HSP_MUTATION_COPY \
-  bash "$here/try.sh" "$folder" "$mutations" "$folder/results_before.csv" || true
+  bash "$here/try.sh" "$folder" "$mutations" || true
 keep_results
 trap - EXIT
 
 # News: verdicts that have changed, survivors without an explanation.
-awk -F, 'NR == FNR { before[$1] = $2; next }
-  $1 in before && before[$1] != $2 { print $1 ": " $2 ", before: " before[$1] }' "$folder/results_before.csv" \
+awk -F, 'NR == FNR { if (NF == 3) before[$1] = $3 == "survived" ? $3 : "killed"; next }
+  $1 in before && before[$1] != $2 { print $1 ": " $2 ", before: " before[$1] }' <(named "$folder/mutations_before.txt" | tr ' ' ,) \
   <(sort "$folder/verdicts")
 awk -F, '{ ++verdicts[$2] } END { printf "%d mutants: %d killed, %d survived, %d did not compile\n", NR,
   verdicts["killed"], verdicts["survived"], verdicts["did not compile"] }' "$folder/verdicts"

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Makes one mutant in one of the copies that run.sh has prepared, and runs the tests until one fails. Called by run.sh:
-#   HSP_MUTATION_COPY=NUMBER try.sh FOLDER MUTATIONS RESULTS NAME
+#   HSP_MUTATION_COPY=NUMBER try.sh FOLDER MUTATIONS NAME
 # Appends a line to FOLDER/verdicts: the name, `killed`, `survived` or `did not compile`, and the test that killed it.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
-folder=$1 mutations=$2 results=$3 name=$4
+folder=$1 mutations=$2 name=$3
 tree=$folder/$HSP_MUTATION_COPY/tree
 build=$tree/build/mutation
 work=$folder/$HSP_MUTATION_COPY/work
@@ -54,17 +54,24 @@ ordered_tests() {
   awk -F '[,\t]' -v name="$name" -v file="$file" -v mutations="$mutations" -v affected="$work/affected" \
     -v room="$(basename "$(dirname "$file")")" -v unit="$(basename "${file%%.*}")" '
     function folder_of(path) { sub("/[^/]*$", "", path); return path }
+    function count_test(mutant, test) {
+      if (mutant == name) score[test] += 1000000
+      if (file_of[mutant] == file) score[test] += 1000
+      if (folder_of(file_of[mutant]) == folder_of(file)) score[test] += 1
+    }
     BEGIN {
-      while ((getline line < mutations) > 0) if (split(line, word, " ") == 2 && word[1] ~ /^[a-z][0-9][0-9]+$/) file_of[word[1]] = word[2]
+      while ((getline line < mutations) > 0) {
+        if (line !~ /^[a-z][0-9][0-9]+ [^ ]+( [a-z0-9_]+)?$/) continue
+        words = split(line, word, " ")
+        file_of[word[1]] = word[2]
+        if (words == 3 && word[3] != "survived") count_test(word[1], word[3])
+      }
       while ((getline line < affected) > 0) executables[++count] = line
       score["unit_" room "_" unit] += 500
       words = split(room "_" unit, word_of_file, "_")
     }
     FILENAME == ARGV[1] {
-      if ($3 == "") next
-      if ($1 == name) score[$3] += 1000000
-      if (file_of[$1] == file) score[$3] += 1000
-      if (folder_of(file_of[$1]) == folder_of(file)) score[$3] += 1
+      if ($3 != "") count_test($1, $3)
       next
     }
     {
@@ -75,7 +82,7 @@ ordered_tests() {
         if (index($1, "_" word_of_file[k])) score[$1] += 0.1
       }
       printf "%.1f %d %s %s %s\n", score[$1], target != "", $2, $1, target
-    }' <(cat "$results" "$folder/verdicts") "$folder/tests" | sort -k1,1nr -k2,2n -k3,3n | cut -d ' ' -f 3-
+    }' "$folder/verdicts" "$folder/tests" | sort -k1,1nr -k2,2n -k3,3n | cut -d ' ' -f 3-
 }
 
 # Sets verdict and killer.

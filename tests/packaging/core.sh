@@ -84,9 +84,11 @@ grep '^lib/' "$work/core" >"$work/lib" || true
 grep '^capi/' "$work/core" >"$work/of_capi" || true
 read -r files lines code share longest <<<"$(numbers <"$work/lib")"
 read -r shims shim_lines shim_code _ _ <<<"$(numbers <"$work/of_capi")"
-mutants=$(awk 'NR == FNR { core[$1] = 1; next } /^[a-z][0-9]+ [^ ]+$/ && $2 in core' "$work/core" tests/mutation/mutations.txt |
-  cut -d ' ' -f 1 | sort | tee "$work/mutants" | wc -l)
-noticed=$(awk -F, 'NR == FNR { core[$1] = 1; next } $1 in core && $2 == "killed"' "$work/mutants" tests/mutation/results.csv | wc -l)
+# A mistake's name, its file and the test that notices it.
+awk 'NR == FNR { core[$1] = 1; next } /^[a-z][0-9]+ [^ ]+( [a-z0-9_]+)?$/ && $2 in core' "$work/core" \
+  tests/mutation/mutations.txt >"$work/mutants"
+mutants=$(wc -l <"$work/mutants")
+noticed=$(awk 'NF == 3 && $3 != "survived"' "$work/mutants" | wc -l)
 rows() {
   cat <<EOF
 | functions of the interface | $(wc -l <"$work/functions") |
