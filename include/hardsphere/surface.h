@@ -100,8 +100,8 @@ typedef struct hsp_surface_limits {
 HSP_API int32_t HSP_CALL hsp_surface_limits_init(hsp_surface_limits *limits, uint32_t struct_size,
                                                  const hsp_boundary *boundary);
 
-/** Bytes that hsp_surface_init needs. With limits that just suffice 148 per ball for haemoglobin of 4384 atoms and a
- *  probe of 1.4; with those of hsp_surface_limits_init 178.
+/** Bytes that hsp_surface_init needs. With limits that just suffice 157 per ball for haemoglobin (4HHB, 4384 atoms,
+ *  radii of HSP_RADII_BONDI) and a probe of 1.4; with those of hsp_surface_limits_init 189.
  *  - Property 1: at most HSP_SURFACE_BYTES of the six limits.
  *  - Property 2: grows with each limit.
  *
