@@ -80,6 +80,9 @@ TEST(Selection, RangesWithInsertionCodes) {
   EXPECT_EQ(range("51-52A"), (Numbers{0, 1, 2}));
   EXPECT_EQ(range("-5A-51"), (Numbers{0, 9}));
   EXPECT_EQ(range("52A"), (Numbers{2}));
+  // The codes of a range are of no other item.
+  EXPECT_EQ(range("52B-53,51"), (Numbers{0, 3, 4, 5, 6}));
+  EXPECT_EQ(range("51-52A,52"), (Numbers{0, 1, 2, 3, 4}));
   for (const char *item : {"53-52A", "52C-52A", "54A-53"}) {
     const Outcome outcome = run_program({"measure", file.path(), "--only", std::string("residue:") + item});
     EXPECT_EQ(outcome.status, 2);

@@ -60,6 +60,7 @@ static bool parse_numbers(struct selection_item *item) {
   const struct field text = item->text;
   size_t first = whole_number(text, &item->low);
   item->high = item->low;
+  item->low_code = item->high_code = '\0';
   if (first == 0) return false;
   if (first == text.length) return true;
   item->low_code = code_at(text, &first);
