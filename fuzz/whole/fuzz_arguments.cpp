@@ -225,8 +225,8 @@ class ChangedCall {
     } else if (std::strncmp(a.base, "hsp_", 4) == 0) {
       change_struct(i, at + entry, a.size);
     } else {
-      const uint32_t number = word(bytes_);
-      std::memcpy(at + entry, &number, a.size);
+      const uint32_t number[2] = {word(bytes_), 0};  // an entry has 4 or 8 bytes
+      std::memcpy(at + entry, number, a.size);
     }
   }
 
