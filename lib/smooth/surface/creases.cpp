@@ -1,6 +1,5 @@
 #include "surface/creases.hpp"
 
-#include "core/first_index.hpp"
 #include "core/sorting.hpp"
 #include "surface/actual_points.hpp"
 #include "surface/covered_gaps.hpp"
@@ -59,14 +58,6 @@ Status Creases::build(const ActualBalls &actual, const ChosenFaces &chosen, cons
     return creases_[j].high != creases_[k].high ? creases_[j].high < creases_[k].high : j < k;
   });
   return Status::ok;
-}
-
-uint32_t Creases::first_with_low(uint32_t vertex) const {
-  return first_index(0, creases_.size(), [&](uint32_t k) { return creases_[k].low >= vertex; });
-}
-
-uint32_t Creases::first_with_high(uint32_t vertex) const {
-  return first_index(0, creases_.size(), [&](uint32_t k) { return creases_[by_high_[k]].high >= vertex; });
 }
 
 // Whether three vertices are on one circle. Then they have no corner: it would be on the circle's axis, like the cusps.

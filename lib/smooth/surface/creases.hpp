@@ -7,6 +7,7 @@
 // by then the corners at both of its ends are known.
 #pragma once
 
+#include "core/first_index.hpp"
 #include "surface/actual_balls.hpp"
 #include "surface/cusped_circles.hpp"
 #include "surface/near_vertices.hpp"
@@ -51,9 +52,12 @@ class Creases {
   // Calls visit(crease) for all creases of a vertex, in the order of the other vertex.
   template <class Visit>
   void for_each_of_vertex(uint32_t v, Visit visit) const {
-    const Span<const Crease> all = creases_.items();
-    for (uint32_t k = first_with_high(v); k < all.size() && all[by_high_[k]].high == v; ++k) visit(all[by_high_[k]]);
-    for (uint32_t k = first_with_low(v); k < all.size() && all[k].low == v; ++k) visit(all[k]);
+    const uint32_t n = creases_.size();
+    const auto by_high = [this](uint32_t k) -> const Crease & { return creases_[by_high_[k]]; };
+    uint32_t k = first_index(0, n, [&](uint32_t j) { return by_high(j).high >= v; });
+    for (; k < n && by_high(k).high == v; ++k) visit(by_high(k));
+    k = first_index(0, n, [&](uint32_t j) { return creases_[j].low >= v; });
+    for (; k < n && creases_[k].low == v; ++k) visit(creases_[k]);
   }
   // The name of a corner, by its number.
   BorderPoint point(uint32_t corner) const;
@@ -61,8 +65,6 @@ class Creases {
  private:
   bool find_corners(uint32_t a, Patience &patience);
   Status find_creases(const ChosenFaces &chosen, const ProbeGrid &grid, uint32_t v, Patience &patience);
-  uint32_t first_with_low(uint32_t vertex) const;
-  uint32_t first_with_high(uint32_t vertex) const;
   bool on_one_circle(uint32_t a, uint32_t b, uint32_t c) const;
   void add_corner_ends(uint32_t v, uint32_t w, uint32_t x);
   bool add_cusps(const ChosenFaces &chosen, uint32_t v, uint32_t w);
