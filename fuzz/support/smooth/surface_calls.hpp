@@ -129,9 +129,7 @@ class SurfaceCalls {
     }
     const uint32_t tangency = bytes_.one_in(20) ? 1 + bytes_.byte() : HSP_TANGENT_OVERLAP;
     const bool finite = bad == HSP_NONE && std::isfinite(tension);
-    const int32_t asked = tangency > HSP_TANGENT_DISJOINT                          ? HSP_E_ARGUMENT
-                          : expected == HSP_OK && tangency == HSP_TANGENT_DISJOINT ? HSP_E_ARGUMENT
-                                                                                   : expected;
+    const int32_t asked = tangency != HSP_TANGENT_OVERLAP ? HSP_E_ARGUMENT : expected;
     hsp_gradient_request request{};
     request.struct_size = sizeof request;
     request.tangency = tangency;
