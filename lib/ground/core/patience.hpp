@@ -28,11 +28,13 @@ class Patience {
 };
 
 // Calls visit(range) for all of a range of records. If the caller may stop the work, calls it for parts of the range,
-// one after the other, and may end between them. instructions: an estimate for each record.
+// one after the other, and may end between them, or not begin: what a step before left undone is not to be relied on.
+// instructions: an estimate for each record.
 template <class Range, class Visit>
 void in_parts(Patience &patience, Range range, uint32_t instructions, Visit visit) {
   constexpr uint32_t of_a_part = 3000000;
   const uint32_t at_once = patience.may_end() ? of_a_part / instructions : 0;
+  if (!patience.allows(0)) return;
   while (patience.may_end() && range.last - range.first > at_once) {
     visit(Range{range.first, range.first + at_once});
     range.first += at_once;
