@@ -85,4 +85,18 @@ TEST(Patience, PartsOfARangeAreTheWholeRangeUntilItIsStopped) {
   }
 }
 
+// Records of a range rely on what was done before.
+TEST(Patience, NoRangeIsBegunBehindAStop) {
+  Asked asked;
+  asked.most = 0;
+  const Executor executor(1, nullptr, &asked, goes_on);
+  Patience patience(&executor);
+  EXPECT_FALSE(patience.allows(UINT64_C(20000000)));
+  for (const uint32_t records : {1U, 3U, 100U}) {
+    bool visited = false;
+    hsp::in_parts(patience, hsp::IdRange{0, records}, 1000000, [&](hsp::IdRange) { visited = true; });
+    EXPECT_FALSE(visited) << records;
+  }
+}
+
 }  // namespace
