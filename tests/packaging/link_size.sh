@@ -27,6 +27,6 @@ awk '/^```/ { inside = $0 == "```c" && !found++; next } inside' "$here/../../REA
 query=$here/consumers/one_query.c
 link query-pkg-config "$query" 55500 "${package[@]}"
 link query-by-hand "$query" 100500 "${by_hand[@]}"
-link areas-pkg-config "$work/areas.c" 236000 "${package[@]}"
+link areas-pkg-config "$work/areas.c" 236500 "${package[@]}"
 link areas-by-hand "$work/areas.c" 356000 "${by_hand[@]}"
 exit $failed
