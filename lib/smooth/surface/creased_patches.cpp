@@ -17,7 +17,6 @@ void CreasedPatches::push(const Inputs &in, uint32_t across, uint32_t start, uin
 // A side runs from its second ball to its first. If it has cusps it is two arcs: from the second ball to the cusp
 // there, and from the other cusp to the first ball.
 void CreasedPatches::add_sides(const Inputs &in, uint32_t v) {
-  arcs_ = FixedVector(begin_array<BorderArc>(memory_.part(0, words_of<BorderArc>(memory_.size() / words_of_arc))));
   const VertexRecord &record = in.actual.boundary().vertex(v);
   const uint32_t first_cusp = 3 * in.actual.boundary().vertex_count();
   for (uint32_t slot = 0; slot < 3; ++slot) {
@@ -37,7 +36,10 @@ void CreasedPatches::add_sides(const Inputs &in, uint32_t v) {
 Span<BorderArc> CreasedPatches::find_border(const Inputs &in, uint32_t v) {
   arcs_ = {};
   in.creases.for_each_of_vertex(v, [&](const Crease &crease) {
-    if (arcs_.items().empty()) add_sides(in, v);
+    if (arcs_.items().empty()) {
+      arcs_ = FixedVector(begin_array<BorderArc>(memory_.part(0, words_of<BorderArc>(memory_.size() / words_of_arc))));
+      add_sides(in, v);
+    }
     const bool is_low = crease.low == v;
     push(in, is_low ? crease.high : crease.low, is_low ? crease.start : crease.end, is_low ? crease.end : crease.start);
   });
