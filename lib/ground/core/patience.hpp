@@ -29,18 +29,20 @@ class Patience {
 
 // Calls visit(range) for all of a range of records. If the caller may stop the work, calls it for parts of the range,
 // one after the other, and may end between them, or not begin: what a step before left undone is not to be relied on.
-// instructions: an estimate for each record.
+// instructions: an estimate for each record. The one call of `visit` is compiled in once.
 template <class Range, class Visit>
 void in_parts(Patience &patience, Range range, uint32_t instructions, Visit visit) {
   constexpr uint32_t of_a_part = 3000000;
-  const uint32_t at_once = patience.may_end() ? of_a_part / instructions : 0;
-  if (!patience.allows(0)) return;
-  while (patience.may_end() && range.last - range.first > at_once) {
-    visit(Range{range.first, range.first + at_once});
-    range.first += at_once;
-    if (!patience.allows(of_a_part)) return;
-  }
-  visit(range);
+  const uint32_t at_once = patience.may_end() ? of_a_part / instructions : range.last - range.first;
+  uint32_t spent = 0;
+  do {
+    if (!patience.allows(spent)) return;
+    Range some = range;
+    if (range.last - range.first > at_once) some.last = range.first + at_once;
+    visit(some);
+    range.first = some.last;
+    spent = of_a_part;
+  } while (range.first != range.last);
 }
 
 }  // namespace hsp

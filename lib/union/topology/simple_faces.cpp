@@ -276,22 +276,25 @@ class SimpleFaceBuilder {
     topology_.face_count = 0;
     uint32_t cut = 0;
     uint32_t sphere = quarter_edge(topology_.first_sphere_edge);
-    in_parts(patience_, BallRange{0, balls_.n}, 1000, [&](BallRange some) {
-      for (uint32_t i = some.first; i < some.last; ++i) {
-        const uint32_t first_cut = cut;
-        while (cut < topology_.cut_arcs.size() && topology_.cut_arcs[cut].ball == i) ++cut;
-        if (cut != first_cut) {
-          cut_faces(i, first_cut, cut);
-        } else {
-          for (const uint32_t loop : boundary_.loops(i)) face_of_loop(loop);
-        }
-        if (boundary_.is_whole_sphere(i)) {
-          number_ring(sphere, boundary_.faces(i).first);
-          number_ring(sym(sphere), boundary_.faces(i).first);
-          sphere += 8;
-        }
+    in_parts(patience_, BallRange{0, balls_.n}, 1000, [&](BallRange some) { number_faces_of(some, cut, sphere); });
+  }
+  // cut, sphere: the first cut arc and the first edge of a whole sphere that no ball before has. Out of line, so that the
+  // loop keeps its registers.
+  [[gnu::noinline]] void number_faces_of(BallRange some, uint32_t &cut, uint32_t &sphere) {
+    for (uint32_t i = some.first; i < some.last; ++i) {
+      const uint32_t first_cut = cut;
+      while (cut < topology_.cut_arcs.size() && topology_.cut_arcs[cut].ball == i) ++cut;
+      if (cut != first_cut) {
+        cut_faces(i, first_cut, cut);
+      } else {
+        for (const uint32_t loop : boundary_.loops(i)) face_of_loop(loop);
       }
-    });
+      if (boundary_.is_whole_sphere(i)) {
+        number_ring(sphere, boundary_.faces(i).first);
+        number_ring(sym(sphere), boundary_.faces(i).first);
+        sphere += 8;
+      }
+    }
   }
 
   // Numbers the faces of a ball with cut arcs first .. last - 1. First links the chain of every half-edge to that of
