@@ -7,10 +7,12 @@
 namespace hsp::capi {
 
 // Computes the results that a request asks for by build(asked, executor), which notes the source. check(asked): the
-// status of further arguments. If that fails the handle has no results.
+// status of further arguments. If that fails the handle has no results. Out of line: a handle may have several functions
+// that compute it.
 template <class Handle, class Source, class Request, class Check, class Build>
-int32_t compute_from(LibraryArithmetic &arithmetic, Handle *handle, const Source *source, const Request *request,
-                     typename Handle::Given *limits, Check check, Build build) {
+[[gnu::noinline]] int32_t compute_from(LibraryArithmetic &arithmetic, Handle *handle, const Source *source,
+                                       const Request *request, typename Handle::Given *limits, Check check,
+                                       Build build) {
   if (const int32_t status = check_handle(handle); status != HSP_OK) return status;
   handle->complete = false;
   Request asked;

@@ -71,13 +71,10 @@ class Lattice {
   // Finds the lattice point nearest to a position. False if there is none, as a coordinate is not finite or too large.
   // There is one branch for all coordinates; which one is at fault can be found afterwards.
   HSP_INLINE_UNLESS_SMALL bool round(const double *xyz, Vector &point) const {
-    double rounded[3];
-    bool on_lattice = true;
-    for (int axis = 0; axis < 3; ++axis) {
-      rounded[axis] = steps(xyz[axis]);
-      on_lattice &= std::fabs(rounded[axis]) <= coordinate_limit;
-    }
-    if (on_lattice) point = {nearest(rounded[0]), nearest(rounded[1]), nearest(rounded[2])};
+    const double x = steps(xyz[0]), y = steps(xyz[1]), z = steps(xyz[2]);
+    const bool on_lattice = (std::fabs(x) <= coordinate_limit) & (std::fabs(y) <= coordinate_limit) &
+                            (std::fabs(z) <= coordinate_limit);
+    if (on_lattice) point = {nearest(x), nearest(y), nearest(z)};
     return on_lattice;
   }
   double length(double steps) const { return divisor_ == 1.0 ? steps / factor_ : steps * divisor_; }
