@@ -26,7 +26,7 @@ link() { # how, its source, bytes at most, what stands behind the source
 awk '/^```/ { inside = $0 == "```c" && !found++; next } inside' "$here/../../README.md" >"$work/areas.c"
 query=$here/consumers/one_query.c
 link query-pkg-config "$query" 55500 "${package[@]}"
-link query-by-hand "$query" 100500 "${by_hand[@]}"
-link areas-pkg-config "$work/areas.c" 236500 "${package[@]}"
-link areas-by-hand "$work/areas.c" 356000 "${by_hand[@]}"
+link query-by-hand "$query" 98500 "${by_hand[@]}"
+link areas-pkg-config "$work/areas.c" 233500 "${package[@]}"
+link areas-by-hand "$work/areas.c" 351500 "${by_hand[@]}"
 exit $failed

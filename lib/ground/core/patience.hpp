@@ -42,7 +42,7 @@ void in_parts(Patience &patience, Range range, uint32_t instructions, Visit visi
     visit(some);
     range.first = some.last;
     spent = of_a_part;
-  } while (range.first != range.last);
+  } while (range.first < range.last);
 }
 
 }  // namespace hsp
