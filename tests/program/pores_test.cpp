@@ -337,6 +337,36 @@ TEST(Pores, TablesOfCommaSeparatedValues) {
   }
 }
 
+// The sums in the row of a molecule or of a file: of all pockets, and of the largest one by its number in the list.
+TEST(Pores, PocketsInARow) {
+  const Words pores = {"pores", crambin(), "--probe", "1", "--pockets", "3"};
+  const std::vector<Json> pockets = run_json(pores)["pocket_list"].items;
+  ASSERT_GT(pockets.size(), 1u);
+  double sum = 0.0;
+  for (const Json &pocket : pockets) sum += pocket["volume"].number;
+  EXPECT_GT(pockets[0]["volume"].number, 0.0);
+  for (const Words &options : {Words{"--rows"}, Words{"--models", "all"}}) {
+    Words arguments = pores;
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    arguments.emplace_back("--csv");
+    const Outcome rows = run_program(arguments);
+    ASSERT_EQ(rows.status, 0) << rows.err;
+    std::istringstream table(rows.out);
+    std::string line, title, cell;
+    std::getline(table, line);
+    std::istringstream titles(line);
+    std::getline(table, line);
+    std::map<std::string, std::string> row;
+    for (std::istringstream cells(line); std::getline(titles, title, ',');) {
+      std::getline(cells, cell, ',');
+      row[title] = cell;
+    }
+    EXPECT_NEAR(std::stod(row["pocket_volume"]), sum, 1e-9) << rows.out;
+    EXPECT_EQ(row["largest_pocket"], pockets[0]["pocket"].text);
+    EXPECT_EQ(row["largest_pocket_volume"], pockets[0]["volume"].text);
+  }
+}
+
 void expect_diameters(const Json &found, const std::vector<double> &known) {
   ASSERT_EQ(found.items.size(), known.size());
   for (size_t k = 0; k < known.size(); ++k) {

@@ -366,8 +366,12 @@ static void record_pocket_sums(struct record *record, const struct pores_found *
   double volume = 0.0;
   for (uint32_t i = 0; i < found->listed_count; ++i) volume += fmax(found->listed[i].volume, 0.0);
   const bool any = found->listed_count > 0 && found->listed[0].volume >= 0.0;
+  const bool follows = found->followed != NULL; /* in a trajectory; else the list's numbers serve */
+  const double largest = !any      ? (double)NAN
+                         : follows ? (double)found->followed[0].number
+                                   : (double)found->listed[0].pocket + 1.0;
   record_number(record, "pocket_volume", NULL, volume, 0, "");
-  record_number(record, "largest_pocket", NULL, any ? (double)found->followed[0].number : (double)NAN, 0, "");
+  record_number(record, "largest_pocket", NULL, largest, 0, "");
   record_number(record, "largest_pocket_volume", NULL, any ? found->listed[0].volume : (double)NAN, 0, "");
 }
 
