@@ -356,4 +356,36 @@ TEST(ManyMolecules, RowsOfFiles) {
   EXPECT_EQ(lines_of(run_program({"measure", "--rows", "good/one.cif"}).out).size(), 7u);
 }
 
+// The heading is of all files: whatever the first one is, the units of others are not its own.
+TEST(ManyMolecules, HeadingsOfFiles) {
+  struct Case {
+    Words files;
+    int status;
+    Words heading;  // behind the line of names
+  };
+  const std::string probe = "  probe            1.4 angstrom, added to every radius: the solvent-accessible surface";
+  const std::string unit = "  unit             of lengths angstrom; areas and volumes are its powers";
+  const std::string radii = "  radii            bondi";
+  const std::string any_probe =
+      "  probe            1.4 in the unit of each file, added to every radius: the solvent-accessible surface";
+  const std::string any_unit = "  unit             of lengths that of each file; areas and volumes are its powers";
+  const std::vector<Case> cases = {
+      {{"unknown.extension", "good/water.pdb"}, 1, {radii, probe, unit}},
+      {{"good/water.pdb", "good/one.cif"}, 0, {radii, probe, unit}},
+      {{"good/water.pqr", "good/water.pdb"}, 0, {radii + ", or from the file", probe, unit}},
+      {{"good/one.xyzr", "good/water.pdb"}, 0, {radii + ", or from the file", any_probe, any_unit}},
+      {{"good/water.pdb", "good/one.xyzr"}, 0, {radii + ", or from the file", any_probe, any_unit}}};
+  for (const Case &each : cases) {
+    Words arguments = {"measure", "--rows", "--probe", "1.4"};
+    arguments.insert(arguments.end(), each.files.begin(), each.files.end());
+    const Outcome table = run_program(arguments);
+    EXPECT_EQ(table.status, each.status) << table.err;
+    const std::vector<std::string> shown = lines_of(table.out);
+    ASSERT_EQ(shown.size(), 8u - static_cast<size_t>(each.status)) << table.out;
+    EXPECT_EQ(shown[0], each.files[0] + " and 1 more");
+    EXPECT_EQ(Words(shown.begin() + 1, shown.begin() + 4), each.heading);
+    EXPECT_EQ(lines_of(table.err).size(), static_cast<size_t>(each.status)) << table.err;
+  }
+}
+
 }  // namespace

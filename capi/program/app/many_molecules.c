@@ -298,7 +298,7 @@ static bool finish(struct many *many, struct failure *failure) {
 static bool print_heading(const struct request *request, struct failure *failure) {
   struct text_buffer out = TEXT_BUFFER_EMPTY;
   if (request->rows != ROWS_FOR_PERSONS) return true;
-  rows_heading(&out, request);
+  rows_heading(&out, request, &(struct files_among){request->file, .one_unit = true});
   const bool done = text_buffer_print(&out, failure);
   text_buffer_free(&out);
   return done;

@@ -66,13 +66,27 @@ static bool has_titles(struct several_files *several, const struct request *requ
   return failure_in_input(failure, 0, "its table has other columns than that of the first file");
 }
 
+/* The data of all files: those of a request that has radii to tell, if there is one. */
+static void add_heading(const struct several_files *several, struct text_buffer *out) {
+  const struct request *shown = NULL;
+  struct files_among files = {several->first->names[0], .one_unit = true};
+  for (size_t i = 0; i < MOST_FORMATS; ++i) {
+    const struct request *const request = &several->of_format[i];
+    if (request->format == NULL) continue;
+    if (shown != NULL && strcmp(request->format->unit, shown->format->unit) != 0) files.one_unit = false;
+    if (file_format_has(request->format, FILE_RADII)) files.own_radii = true;
+    if (shown == NULL || file_format_has(shown->format, FILE_RADII)) shown = request;
+  }
+  rows_heading(out, shown, &files);
+}
+
 /* The one row of a table for persons, with the file's name behind it. */
 static bool add_row(struct several_files *several, const struct request *request, const struct text_buffer *record,
                     struct text_buffer *out, struct failure *failure) {
   const size_t titles = row_length(record->text, record->length);
   if (!has_titles(several, request, record->text, titles, failure)) return false;
   if (!several->any) {
-    rows_heading(out, several->first);
+    add_heading(several, out);
     text_buffer_append(out, record->text, titles - 1);
     text_buffer_add_text(out, "  file\n");
   }

@@ -201,13 +201,13 @@ static void rows(struct text_buffer *out, const struct request *request, const s
   }
 }
 
-static void report_probe(struct text_buffer *out, const struct request *request) {
+static void report_probe(struct text_buffer *out, const struct request *request, const char *unit) {
   if (request->probe == 0.0) {
     report_row(out, "probe", "none: the van der Waals surface, by the radii as they are", "");
     return;
   }
   char value[160];
-  snprintf(value, sizeof value, "%.10g %s, %s", request->probe, request->format->unit,
+  snprintf(value, sizeof value, "%.10g %s, %s", request->probe, unit,
            request->command == COMMAND_GATE    ? "added to every radius to find voids, and then no more"
            : request->command == COMMAND_PORES ? "the narrowest one of interest; radii are as they are"
            : request->measure.outer    ? "rolling over the atoms from outside: the outer solvent-excluded surface"
@@ -216,24 +216,26 @@ static void report_probe(struct text_buffer *out, const struct request *request)
   report_row(out, "probe", value, "");
 }
 
-void rows_heading(struct text_buffer *out, const struct request *request) {
-  report_file_name(out, input_name(request->file));
+void rows_heading(struct text_buffer *out, const struct request *request, const struct files_among *files) {
+  report_file_name(out, input_name(files->first));
   if (request->files > 1) text_buffer_add(out, " and %d more", request->files - 1);
   text_buffer_add_text(out, "\n");
   if (!file_format_has(request->format, FILE_RADII)) {
-    text_buffer_add(out, "  %-16s %s\n", "radii",
-                    request->radii_file != NULL ? request->radii_file : radii_set_name(request->set));
+    text_buffer_add(out, "  %-16s %s%s\n", "radii",
+                    request->radii_file != NULL ? request->radii_file : radii_set_name(request->set),
+                    files->own_radii ? ", or from the file" : "");
     if (request->overrides.length > 0) text_buffer_add(out, "  %-16s with %s\n", "", request->overrides.text);
   }
-  report_probe(out, request);
-  text_buffer_add(out, "  %-16s of lengths %s; areas and volumes are its powers\n\n", "unit", request->format->unit);
+  report_probe(out, request, files->one_unit ? request->format->unit : "in the unit of each file");
+  text_buffer_add(out, "  %-16s of lengths %s; areas and volumes are its powers\n\n", "unit",
+                  files->one_unit ? request->format->unit : "that of each file");
 }
 
 void report_heading(struct text_buffer *out, const struct request *request, const struct molecule *molecule) {
   report_file_name(out, input_name(request->file));
   text_buffer_add(out, "\n");
   rows(out, request, molecule);
-  report_probe(out, request);
+  report_probe(out, request, request->format->unit);
   text_buffer_add(out, "\n");
 }
 

@@ -9,8 +9,16 @@
 /* The heading of every table: file, balls, atoms left out, radii, probe. */
 void report_heading(struct text_buffer *out, const struct request *request, const struct molecule *molecule);
 
-/* The heading of a table with a row for each of several files or molecules: the data that all share. */
-void rows_heading(struct text_buffer *out, const struct request *request);
+/* The files of a table with a row for each. */
+struct files_among {
+  const char *first; /* its name */
+  bool one_unit;     /* the lengths of all are in that of the request's format */
+  bool own_radii;    /* some bring their own */
+};
+
+/* The heading of a table with a row for each of several files or molecules: the data that all share, as the request has
+ * it. */
+void rows_heading(struct text_buffer *out, const struct request *request, const struct files_among *files);
 
 /* The last key of every command's JSON: , "input": {...} */
 void input_report_json(struct text_buffer *out, const struct request *request, const struct molecule *molecule);
