@@ -200,6 +200,69 @@ TEST_F(Parts, GroupsOfAnIndexFile) {
   EXPECT_EQ(json_of({"contacts", crambin, "--only", "group:2&atom:CG2", "--index", index.path()})["n"].number, 1);
 }
 
+// Atoms are counted as the file has them, also those of other locations and without coordinates, which are left out.
+TEST(IndexFiles, CountAllAtomsOfTheFile) {
+  std::string pdb, cif =
+                       "data_x\nloop_\n_atom_site.id\n_atom_site.type_symbol\n_atom_site.label_atom_id\n"
+                       "_atom_site.label_alt_id\n_atom_site.label_comp_id\n_atom_site.label_asym_id\n"
+                       "_atom_site.label_seq_id\n_atom_site.occupancy\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n"
+                       "_atom_site.Cartn_z\n";
+  const struct {
+    const char *name;
+    char location, element;
+    double occupancy;
+  } atoms[] = {
+      {"N", ' ', 'N', 1}, {"CA", 'A', 'C', 0.4}, {"CA", 'B', 'C', 0.6}, {"O", ' ', 'O', 1}, {"SG", ' ', 'S', 1}};
+  int number = 0;
+  for (const auto &atom : atoms) {
+    char line[100];
+    ++number;
+    std::snprintf(line, sizeof line, "ATOM  %5d  %-3s%cCYS A   1    %8.3f   0.000   0.000%6.2f  0.00           %c\n",
+                  number, atom.name, atom.location, 3.0 * number, atom.occupancy, atom.element);
+    pdb += line;
+    std::snprintf(line, sizeof line, "%d %c %s %c CYS A 1 %.2f %.3f 0 0\n", number, atom.element, atom.name,
+                  atom.location == ' ' ? '.' : atom.location, atom.occupancy, 3.0 * number);
+    cif += line;
+  }
+  const std::string crystal =
+      "data_x\n_cell_length_a 20\n_cell_length_b 20\n_cell_length_c 20\n_cell_angle_alpha 90\n_cell_angle_beta 90\n"
+      "_cell_angle_gamma 90\nloop_\n_atom_site_label\n_atom_site_type_symbol\n_atom_site_fract_x\n_atom_site_fract_y\n"
+      "_atom_site_fract_z\nN1 N 0.1 0.1 0.1\nH1 H ? ? ?\nH2 H ? ? ?\nO1 O 0.3 0.3 0.3\nS1 S 0.6 0.6 0.6\n";
+  const TemporaryFile index("alt.ndx", "[ oxygen ]\n4\n[ sulfur ]\n5\n[ nitrogen ]\n1\n"),
+      beyond("beyond.ndx", "[ far ]\n6\n"), of_pdb("alt.pdb", pdb), of_cif("alt.cif", cif),
+      of_crystal("crystal.cif", crystal);
+  for (const TemporaryFile *const file : {&of_pdb, &of_cif, &of_crystal}) {
+    for (const Lines &choice : {Lines{}, Lines{"--altloc", "B"}, Lines{"--altloc", "occupancy"}}) {
+      if (file == &of_crystal && !choice.empty()) continue;
+      for (const std::string group : {"oxygen", "sulfur", "nitrogen"}) {
+        Lines call = {"measure", file->path(), "--per-ball", "--only", "group:" + group, "--index", index.path()};
+        call.insert(call.end(), choice.begin(), choice.end());
+        const std::vector<Json> balls = json_of(call)["balls"].items;
+        ASSERT_EQ(balls.size(), 1U) << file->path() << group;
+        EXPECT_EQ(balls[0]["element"].text, std::string(1, static_cast<char>(std::toupper(group[0]))));
+      }
+      Lines call = {"measure", file->path(), "--index", beyond.path()};
+      call.insert(call.end(), choice.begin(), choice.end());
+      const Outcome outcome = run_program(call);
+      EXPECT_EQ(outcome.status, 1);
+      EXPECT_NE(outcome.err.find("group far has atom 6, and the molecule has 5"), std::string::npos) << outcome.err;
+    }
+  }
+  // Frames of a trajectory have the atoms that are read, and no others.
+  const TemporaryFile frame("frame.xyz", "4\n\nN 0 0 0\nC 3 0 0\nO 6 0 0\nS 9.1 0 0\n");
+  const Outcome frames = run_program({"measure", of_pdb.path(), "--trajectory", frame.path(), "--altloc", "B", "--by",
+                                      "group", "--index", index.path(), "--json"});
+  ASSERT_EQ(frames.status, 0) << frames.err;
+  const Json one = read_json(frames.out).value();
+  ASSERT_EQ(one["groups"].items.size(), 3U);
+  double sum = 0.0;
+  for (const Json &group : one["groups"].items) {
+    EXPECT_EQ(group["atoms"].number, 1);
+    sum += group["area"].number;
+  }
+  EXPECT_LT(sum, one["area"].number);
+}
+
 TEST_F(Parts, Refused) {
   const TemporaryFile beyond("beyond.ndx", "[ far ]\n328\n"), zero("zero.ndx", "[ z ]\n0\n"),
       nameless("nameless.ndx", "[ ]\n1\n"), open("open.ndx", "[ open\n1\n"), before("before.ndx", "1 2\n"),

@@ -12,7 +12,7 @@ unsigned molecule_keeping(const struct request *request) {
 
 bool molecule_prepare(const struct request *request, struct molecule *molecule, struct notes *notes,
                       struct failure *failure) {
-  if (!index_file_suits(&request->index, request->index_file, molecule->read, failure)) return false;
+  if (!index_file_suits(&request->index, request->index_file, molecule_atoms_of_file(molecule), failure)) return false;
   notes_look_at_file(notes, request, molecule);
   notes_look_among_all(notes, request, molecule);
   if (!selection_apply(&request->selection, molecule, failure)) return false;

@@ -44,7 +44,7 @@ struct frames {
 /* The frame's coordinates for those atoms that became balls. */
 static void take_coordinates(const struct trajectory *trajectory, struct molecule *molecule) {
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    const size_t place = molecule->place[i];
+    const size_t place = molecule->coordinate[i];
     memcpy(molecule->xyz + 3 * (size_t)i, trajectory->xyz + 3 * place, 3 * sizeof *molecule->xyz);
     molecule->line[i] = trajectory->line == NULL ? 0 : trajectory->line[place];
   }

@@ -12,7 +12,7 @@
 
 struct index_group {
   char name[INDEX_NAME_BYTES]; /* a longer name is cut off */
-  uint32_t *place;             /* [count], its atoms, counted from 0 in the order read; ascending, perhaps repeated */
+  uint32_t *place;             /* [count], its atoms, counted from 0 in the file's order; ascending, perhaps repeated */
   size_t count;
   size_t capacity;
 };
@@ -27,7 +27,7 @@ struct index_file {
   { NULL, 0, 0 }
 
 /* Read a file. A group is "[ name ]" on a line of its own, then the numbers of atoms, counted from 1 in the order of
- * the molecule's file. Comments begin with ';'. Free it on true and on false. */
+ * the molecule's file, also those that are left out. Comments begin with ';'. Free it on true and on false. */
 bool index_file_read(struct index_file *file, const char *path, struct failure *failure);
 
 /* The first group of that name; if there is none, the group of that number, counted from 0; NULL: neither exists. */

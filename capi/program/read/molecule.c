@@ -51,6 +51,7 @@ void molecule_renew(struct molecule *molecule) {
   molecule->line = old.line;
   molecule->label = old.label;
   molecule->place = old.place;
+  molecule->coordinate = old.coordinate;
   molecule->extra = old.extra;
   molecule->residues = old.residues;
   molecule->bond = old.bond;
@@ -157,8 +158,10 @@ static bool grow(struct molecule *molecule) {
   if (xyz == NULL || radius == NULL || line == NULL || label == NULL) return false;
   if (molecule->keeps & KEEP_PLACES) {
     uint32_t *place = realloc(molecule->place, capacity * sizeof *place);
-    if (place == NULL) return false;
-    molecule->place = place;
+    if (place != NULL) molecule->place = place;
+    uint32_t *coordinate = realloc(molecule->coordinate, capacity * sizeof *coordinate);
+    if (coordinate != NULL) molecule->coordinate = coordinate;
+    if (place == NULL || coordinate == NULL) return false;
   }
   if (molecule->keeps & KEEP_EXTRAS) {
     struct atom_extra *extra = realloc(molecule->extra, capacity * sizeof *extra);
@@ -167,6 +170,11 @@ static bool grow(struct molecule *molecule) {
   }
   molecule->capacity = (uint32_t)capacity; /* at most twice HSP_MAX_BALLS */
   return true;
+}
+
+uint32_t molecule_atoms_of_file(const struct molecule *molecule) {
+  const uint64_t atoms = molecule->read + molecule->left_out.alternate_locations + molecule->left_out.unplaced;
+  return atoms < UINT32_MAX ? (uint32_t)atoms : UINT32_MAX;
 }
 
 bool molecule_add(struct molecule *molecule, const double xyz[3], double radius, const struct atom_label *label,
@@ -185,7 +193,8 @@ bool molecule_add(struct molecule *molecule, const double xyz[3], double radius,
   molecule->line[atom] = line <= UINT32_MAX ? (uint32_t)line : 0;
   molecule->label[atom] = *label;
   molecule->label[atom].residue = residue;
-  if (molecule->place != NULL) molecule->place[atom] = molecule->read;
+  if (molecule->place != NULL) molecule->place[atom] = molecule_atoms_of_file(molecule);
+  if (molecule->coordinate != NULL) molecule->coordinate[atom] = molecule->read;
   if (molecule->extra != NULL) molecule->extra[atom] = (struct atom_extra)ATOM_EXTRA_NONE;
   ++molecule->read;
   return true;
@@ -278,7 +287,7 @@ void molecule_keep_atoms(struct molecule *molecule, const uint8_t *keep) {
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     if (!keep[i]) continue;
     molecule_move_atom(molecule, kept, i);
-    if (molecule->place != NULL) molecule->place[kept] = kept;
+    if (molecule->coordinate != NULL) molecule->coordinate[kept] = kept;
     ++kept;
   }
   molecule->atoms = molecule->read = kept;
@@ -291,6 +300,7 @@ void molecule_move_atom(struct molecule *molecule, uint32_t to, uint32_t from) {
   molecule->line[to] = molecule->line[from];
   molecule->label[to] = molecule->label[from];
   if (molecule->place != NULL) molecule->place[to] = molecule->place[from];
+  if (molecule->coordinate != NULL) molecule->coordinate[to] = molecule->coordinate[from];
   if (molecule->extra != NULL) molecule->extra[to] = molecule->extra[from];
 }
 
@@ -389,6 +399,7 @@ void molecule_free(struct molecule *molecule) {
   free(molecule->line);
   free(molecule->label);
   free(molecule->place);
+  free(molecule->coordinate);
   free(molecule->extra);
   for (struct residue_block *block = molecule->residues.first, *next; block != NULL; block = next) {
     next = block->next;

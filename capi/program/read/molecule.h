@@ -137,7 +137,8 @@ struct molecule {
   struct residue_list residues;
   uint32_t residue_begin;   /* the first atom of the last residue */
   unsigned keeps;           /* further arrays that it keeps: molecule_keeping */
-  uint32_t *place;          /* [atoms], its place among those read, or NULL */
+  uint32_t *place;          /* [atoms], its place among all atoms of the file's molecule, or NULL */
+  uint32_t *coordinate;     /* [atoms], its place among those read, as frames of a trajectory have them, or NULL */
   struct atom_extra *extra; /* [atoms], or NULL */
   struct file_choice choice;
   bool location_found; /* some atom has the location whose letter is chosen */
@@ -203,10 +204,14 @@ struct atom_extra *molecule_last_extra(const struct molecule *molecule);
 /* The residue of the last appended atom, which must have one. */
 struct residue_label *molecule_last_residue(const struct molecule *molecule);
 
+/* How many atoms the file's molecule has, also those of other locations and without coordinates. */
+uint32_t molecule_atoms_of_file(const struct molecule *molecule);
+
 /* Append a bond that the file states. False when memory is short. */
 bool molecule_add_bond(struct molecule *molecule, const struct stated_bond *bond, struct failure *failure);
 
-/* Keep the atoms whose keep [atoms] is not 0, as if the others had not been read. */
+/* Keep the atoms whose keep [atoms] is not 0, as if the others had not been read, but they have their places in the
+ * file. */
 void molecule_keep_atoms(struct molecule *molecule, const uint8_t *keep);
 
 /* Atom `from` takes the place of atom `to`. */
