@@ -117,4 +117,52 @@ TEST(StandardStreams, NothingReadIsWrittenOver) {
   EXPECT_EQ(read_file(file.path()), text);
 }
 
+// Standard input is one thing, and neither it nor a pipe can be read for each of several files.
+TEST(StandardStreams, InputsThatAreReadOnce) {
+  const TemporaryFile groups("groups.ndx", "[ oxygen ]\n1\n");
+  const std::vector<std::string> of_group = {"--format", "pdb", "--only", "group:oxygen", "--index"};
+  const auto with = [&](std::vector<std::string> arguments, const std::string &path) {
+    arguments.insert(arguments.end(), of_group.begin(), of_group.end());
+    arguments.push_back(path);
+    return arguments;
+  };
+  for (const bool pipe : {false, true}) {
+    const Outcome outcome = run_with_input(groups.path(), pipe, with({"measure", "good/water.pdb"}, "-"));
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, run_program(with({"measure", "good/water.pdb"}, groups.path())).out);
+    const Outcome each = run_with_input(groups.path(), pipe, with({"measure", "good/water.pdb", "--models=all"}, "-"));
+    EXPECT_EQ(each.status, 0) << each.err;
+  }
+  const std::string two = "standard input is one file, not two", once = " can be read once, and serves for one file";
+  const std::string weights_of_each = "--weights: standard input can be read once, and serves for one molecule";
+  struct Case {
+    std::vector<std::string> arguments;
+    std::string reason;
+  };
+  std::vector<Case> cases = {
+      {with({"measure", "-"}, "-"), two},
+      {with({"measure", "good/water.pdb", "--weights", "-"}, "-"), two},
+      {{"measure", "-", "--format", "pdb", "--weights", "-"}, two},
+      {{"measure", "-", "--format", "pdb", "--trajectory", "-"}, two},
+      {with({"measure", "good/water.pdb", "--trajectory", "-"}, "-"), two},
+      {{"clash", "-", "good/water.pdb", "--format", "pdb", "--trajectory", "-"}, two},
+      {with({"clash", "good/water.pdb", "good/one.pdb"}, "-"), "--index: standard input" + once},
+      {with({"measure", "good/water.pdb", "good/one.pdb"}, "-"), "--index: standard input" + once},
+      {with({"measure", "good/water.pdb", "--rows"}, "-"), "--index: standard input" + once},
+      {{"measure", "good/water.pdb", "--models", "all", "--weights", "-"}, weights_of_each}};
+  if (std::filesystem::exists("/dev/fd/0")) {
+    cases.push_back({with({"measure", "good/water.pdb", "--rows"}, "/dev/fd/0"), "--index: /dev/fd/0" + once});
+    cases.push_back(
+        {{"measure", "good/water.pdb", "good/one.cif", "--radii", "/dev/fd/0"}, "--radii: /dev/fd/0" + once});
+    cases.push_back(
+        {{"measure", "good/water.pdb", "good/one.cif", "--weights", "/dev/fd/0"}, "--weights: /dev/fd/0" + once});
+  }
+  for (const Case &each : cases) {
+    const Outcome outcome = run_with_input(input("good/water.pdb"), true, each.arguments);
+    EXPECT_EQ(outcome.status, 2) << each.reason;
+    EXPECT_EQ(outcome.out, "") << each.reason;
+    EXPECT_EQ(outcome.err, "hardsphere: " + each.reason + "\n");
+  }
+}
+
 }  // namespace

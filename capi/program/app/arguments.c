@@ -115,7 +115,10 @@ static bool check(struct reading *reading) {
     return failure_in_usage(reading->failure, "--model is one of them, --models %s all: either the one or the other",
                             request->models == MODELS_EACH ? "all" : "merged");
   }
-  if (!request_check_several(request, reading->failure) || !find_format(reading)) return false;
+  if (!request_check_several(request, reading->failure) || !request_check_inputs(request, reading->failure) ||
+      !find_format(reading)) {
+    return false;
+  }
   if (file_format_has(request->format, FILE_RADII) && (reading->radii_seen || reading->radius_seen)) {
     return failure_in_usage(reading->failure, "%s has no use here: %s files bring their own radii",
                             reading->radii_seen ? "--radii" : "--radius",

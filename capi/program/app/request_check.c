@@ -3,6 +3,7 @@
 #include <ctype.h>
 #include <math.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "app/command_table.h"
 #include "read/read_molecule.h"
@@ -59,9 +60,6 @@ static bool check_trajectory(struct request *request, struct failure *failure) {
   const bool lists = request->measure.mean || request->command == COMMAND_VOIDS || request->command == COMMAND_PORES;
   if (!lists) request->csv = false; /* it is the table of frames anyway */
   if (!input_is_standard(path)) return true;
-  if (input_is_standard(request->file) || (request->weights != NULL && input_is_standard(request->weights))) {
-    return failure_in_usage(failure, "standard input is one file, not two");
-  }
   if (file_format_has(request->format, FILE_FRAMES)) return true;
   return failure_in_usage(failure, "--trajectory from standard input is %s, as FILE is",
                           file_format_list(list, ".", "or", FILE_FRAMES | FILE_ATOMS, true));
@@ -89,9 +87,6 @@ static bool check_rows(struct request *request, struct failure *failure) {
   if (request->trajectory != NULL) return failure_in_usage(failure, "%s is not for a --trajectory", option);
   if (request_outputs(request, outputs) > 0) {
     return failure_in_usage(failure, "%s prints rows: not with %s", option, outputs[0].option);
-  }
-  if (request->weights != NULL && input_is_standard(request->weights)) {
-    return failure_in_usage(failure, "weights from standard input serve for one molecule");
   }
   const char *const longer = list_of(request);
   if (longer != NULL && !request->json) {
@@ -229,8 +224,37 @@ bool request_check_several(const struct request *request, struct failure *failur
   if (request_outputs(request, outputs) > 0) {
     return failure_in_usage(failure, "%s takes one file at a time", outputs[0].option);
   }
-  if (request->weights != NULL && input_is_standard(request->weights)) {
-    return failure_in_usage(failure, "weights from standard input serve for one file");
+  return true;
+}
+
+/* Whether a second reading finds nothing: standard input, or a pipe by name. */
+static bool is_read_once(const char *path) {
+  struct stat found;
+  return input_is_standard(path) || (stat(path, &found) == 0 && !S_ISREG(found.st_mode) && !S_ISDIR(found.st_mode));
+}
+
+bool request_check_inputs(const struct request *request, struct failure *failure) {
+  const bool each = request->models == MODELS_EACH, again = request->files > 1 || request->rows_given;
+  const struct {
+    const char *option, *path;
+    bool again; /* it is read for each file, or for each molecule of a file */
+  } inputs[] = {{"--weights", request->weights, again || each},
+                {"--index", request->index_file, again},
+                {"--radii", request->radii_file, again},
+                {"--trajectory", request->trajectory, false}};
+  int standard = 0;
+  for (int k = 0; k < request->files; ++k) standard += input_is_standard(request->names[k]) ? 1 : 0;
+  for (size_t k = 0; k < sizeof inputs / sizeof inputs[0]; ++k) {
+    const char *const path = inputs[k].path;
+    if (path == NULL) continue;
+    if (input_is_standard(path) && ++standard > 1) {
+      return failure_in_usage(failure, "standard input is one file, not two");
+    }
+    if (!inputs[k].again || !is_read_once(path)) continue;
+    char shown[EXCERPT_BYTES];
+    const char *const name = input_name(path);
+    return failure_in_usage(failure, "%s: %s can be read once, and serves for one %s", inputs[k].option,
+                            excerpt(shown, name, strlen(name)), each ? "molecule" : "file");
   }
   return true;
 }
@@ -261,13 +285,10 @@ static bool check_output(const struct request *request, const struct output_choi
   return true;
 }
 
-/* Nothing that is read is written over, and standard streams serve for one thing. */
+/* Nothing that is read is written over, and standard output serves for one thing. */
 static bool check_files(const struct request *request, struct failure *failure) {
   struct output_choice outputs[MOST_OUTPUTS];
   const int count = request_outputs(request, outputs);
-  if (request->weights != NULL && input_is_standard(request->file) && input_is_standard(request->weights)) {
-    return failure_in_usage(failure, "standard input is either the molecule or its weights");
-  }
   for (int k = 0; k < count; ++k) {
     if (!check_output(request, &outputs[k], failure)) return false;
     for (int other = 0; other < k; ++other) {
