@@ -9,6 +9,7 @@
 
 #include "json_outcome.hpp"
 #include "program_runner.hpp"
+#include "temporary_file.hpp"
 
 namespace {
 
@@ -44,6 +45,40 @@ TEST(JsonReader, IsStrict) {
     EXPECT_FALSE(read_json(bad).has_value()) << bad;
   }
   EXPECT_EQ(read_json(R"("\"\\ \u0041\u00e9\ufffd")")->text, "\"\\ A\u00E9\uFFFD");
+}
+
+// Names of files and titles in UTF-8 are themselves, and each byte of no character is U+FFFD.
+TEST(JsonOutput, TextsAreUtf8) {
+  const TemporaryFile named("\u00DF\u4E2D\U0001F9EA \"1\".xyz", "1\n\nC 0 0 0\n");
+  EXPECT_EQ(run_json({"measure", named.path()})["input"]["file"].text, named.path());
+  const std::string bad = "\xEF\xBF\xBD";
+  const struct {
+    std::string title;
+    size_t ill_formed;  // bytes; 0: it is the same in JSON
+  } cases[] = {{"\xC2\x80 \xDF\xBF \xE0\xA0\x80 \xED\x9F\xBF \xEE\x80\x80 \xEF\xBF\xBF", 0},
+               {"\xF0\x90\x80\x80 \xF4\x8F\xBF\xBF", 0},
+               {"\xC0\x80", 2},  // overlong, of two, three and four bytes
+               {"\xC1\xBF", 2},
+               {"\xE0\x9F\xBF", 3},
+               {"\xF0\x8F\xBF\xBF", 4},
+               {"\xED\xA0\x80", 3},  // surrogates
+               {"\xED\xBF\xBF", 3},
+               {"\xF4\x90\x80\x80", 4},  // beyond U+10FFFF
+               {"\xF5\x80\x80\x80", 4},
+               {"\xFF", 1},
+               {"\x80", 1},
+               {"\xC3", 1},  // cut
+               {"\xE4\xB8", 2},
+               {"\xF0\x9F\xA7", 3}};
+  for (const auto &one : cases) {
+    const TemporaryFile file("titled.xyz", "1\na" + one.title + "\nC 0 0 0\n");
+    const Outcome outcome = run_program({"measure", file.path(), "--models", "all", "--json"});
+    const auto json = read_json(outcome.out);
+    ASSERT_TRUE(json.has_value()) << outcome.out;
+    std::string expected = "a";
+    for (size_t k = 0; k < one.ill_formed; ++k) expected += bad;
+    EXPECT_EQ((*json)["title"].text, one.ill_formed == 0 ? "a" + one.title : expected);
+  }
 }
 
 TEST(JsonOutput, ModelHasItsKeys) {

@@ -40,7 +40,7 @@ TEST(Residues, DifferInAnyPartOfTheirLabel) {
       {"A", "HOH", "102", "", 1, oxygen},
       {"B", "HOH", "101", "", 1, oxygen},
       {",", "U\\\"", "A000", "", 1, carbon},
-      {",", "L\uFFFD\uFFFD", "", "", 1, carbon},
+      {",", "L\u00E9", "", "", 1, carbon},
   };
   const Json residues = run_json({"measure", "good/residues.pdb", "--by", "residue"})["residues"];
   ASSERT_EQ(residues.items.size(), expected.size());

@@ -164,6 +164,18 @@ static bool json_short_text(struct text_buffer *out, const char *text) {
   return true;
 }
 
+/* The bytes of the character of UTF-8 that begins with one of 0x80 and more; 0: it is ill-formed. */
+static size_t utf8_length(const char *text) {
+  const unsigned char *const byte = (const unsigned char *)text;
+  const size_t length = byte[0] < 0xC2 ? 0 : byte[0] < 0xE0 ? 2 : byte[0] < 0xF0 ? 3 : byte[0] < 0xF5 ? 4 : 0;
+  for (size_t k = 1; k < length; ++k) {
+    if ((byte[k] & 0xC0) != 0x80) return 0; /* the text's end, too */
+  }
+  const bool overlong = (byte[0] == 0xE0 && byte[1] < 0xA0) || (byte[0] == 0xF0 && byte[1] < 0x90);
+  const bool surrogate = byte[0] == 0xED && byte[1] > 0x9F, beyond = byte[0] == 0xF4 && byte[1] > 0x8F;
+  return overlong || surrogate || beyond ? 0 : length;
+}
+
 void json_text(struct text_buffer *out, const char *text) {
   if (json_short_text(out, text)) return;
   text_buffer_append(out, "\"", 1);
@@ -174,6 +186,12 @@ void json_text(struct text_buffer *out, const char *text) {
     text += plain;
     const unsigned char byte = (unsigned char)*text;
     if (byte == '\0') break;
+    const size_t character = byte >= 0x80 ? utf8_length(text) : 0;
+    if (character > 0) {
+      text_buffer_append(out, text, character);
+      text += character;
+      continue;
+    }
     if (byte >= 0x80) {
       text_buffer_add_text(out, "\\ufffd");
     } else if (byte < 0x20 || byte == 0x7F) {

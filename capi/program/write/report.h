@@ -52,8 +52,8 @@ void json_counts(struct text_buffer *out, const uint32_t *counts, uint32_t count
 /* [[x, y, z], ...] */
 void json_points(struct text_buffer *out, const double *xyz, uint32_t count);
 
-/* A string of JSON, quotes included. Columns of bytes beyond ASCII may cut a character in two, so such bytes become
- * U+FFFD, the replacement character. */
+/* A string of JSON, quotes included. Characters of UTF-8 stand as they are; columns of bytes may cut one in two, so
+ * each byte that is of none becomes U+FFFD, the replacement character. */
 void json_text(struct text_buffer *out, const char *text);
 
 /* The number of a residue. Most are whole numbers; but files with too many residues for the columns write letters, and
