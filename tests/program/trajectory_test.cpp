@@ -609,6 +609,41 @@ TEST(Trajectory, TableOfFrames) {
   EXPECT_EQ(lines_of(run_program_in(piped, {"measure", run.path(), "--trajectory", "-"}).out), all);
 }
 
+// Lists of pores of each frame are those of a file of the frame alone.
+TEST(Trajectory, ListsOfPores) {
+  const auto cage = [](const std::string &side) {
+    std::string text = "6\n\n";
+    for (const std::string &at : {side, "-" + side}) {
+      text.append("C ").append(at).append(" 0 0\nC 0 ").append(at).append(" 0\nC 0 0 ").append(at).append("\n");
+    }
+    return text;
+  };
+  const std::vector<std::string> frames = {cage("2.4"), cage("2.5")};
+  const TemporaryFile run("run.xyz", frames[0] + frames[1]);
+  for (const Lines &list : {Lines{}, Lines{"--gates"}, Lines{"--regions"}}) {
+    const auto call = [&list](const Lines &files) {
+      Lines arguments = {"pores", "--csv", "--probe", "0.1"};
+      arguments.insert(arguments.end(), list.begin(), list.end());
+      arguments.insert(arguments.end(), files.begin(), files.end());
+      const Outcome outcome = run_program(arguments);
+      EXPECT_EQ(outcome.status, 0) << outcome.err;
+      return lines_of(outcome.out);
+    };
+    Lines expected;
+    for (size_t k = 0; k < 2; ++k) {
+      const TemporaryFile alone("alone.xyz", frames[k]);
+      for (const std::string &row : call({alone.path()})) {
+        const bool titles = !(row[0] >= '0' && row[0] <= '9');
+        if (!titles || k == 0) expected.push_back((titles ? "frame,time,step," : std::to_string(k + 1) + ",,,") + row);
+      }
+    }
+    EXPECT_EQ(call({run.path(), "--trajectory", run.path()}), expected);
+    EXPECT_GT(expected.size(), 2U);
+  }
+  // Without --csv a frame has one row, which no gate has a place in.
+  EXPECT_EQ(run_program({"pores", run.path(), "--trajectory", run.path(), "--gates"}).status, 2);
+}
+
 TEST(Trajectory, UsageThatIsRefused) {
   for (const Lines &options : std::vector<Lines>{{"--frames", "1:2"},
                                                  {"--trajectory", "run.xtc", "--frames", "0"},

@@ -54,7 +54,8 @@ static bool check_trajectory(struct request *request, struct failure *failure) {
                             request->measure.gradient ? "--gradient" : "--interface");
   }
   const char *const longer = list_of(request);
-  if (longer != NULL && !request->json && !request->measure.mean) {
+  const bool gates = request->csv && request->pores.gates && !request->pores.balls; /* each frame has a list of them */
+  if (longer != NULL && !request->json && !request->measure.mean && !gates) {
     return failure_in_usage(failure, "%s has no place in the one row of a frame: it needs --json", longer);
   }
   const bool lists = request->measure.mean || request->command == COMMAND_VOIDS || request->command == COMMAND_PORES;
