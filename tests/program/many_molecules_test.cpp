@@ -356,6 +356,24 @@ TEST(ManyMolecules, RowsOfFiles) {
   EXPECT_EQ(lines_of(run_program({"measure", "--rows", "good/one.cif"}).out).size(), 7u);
 }
 
+// A row of the boundary in a box has its volumes, as those of measure have.
+TEST(ManyMolecules, RowsOfBoxes) {
+  const Words rows = lines_of(
+      run_program({"boundary", "good/crystal.cif", "good/mirror.cif", "--box", "file", "--rows", "--csv"}).out);
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0], "file,atoms,vertices,arcs,circles,faces,shells,components,euler,box_volume,free_volume");
+  for (size_t k = 0; k < 2; ++k) {
+    const std::string file = k == 0 ? "good/crystal.cif" : "good/mirror.cif";
+    const Json json = run_json({"boundary", file, "--box", "file"});
+    std::string row = file + "," + json["n"].text;
+    for (const char *key :
+         {"vertices", "arcs", "circles", "faces", "shells", "components", "euler", "box_volume", "free_volume"}) {
+      row += "," + json[key].text;
+    }
+    EXPECT_EQ(rows[k + 1], row);
+  }
+}
+
 // The heading is of all files: whatever the first one is, the units of others are not its own.
 TEST(ManyMolecules, HeadingsOfFiles) {
   struct Case {

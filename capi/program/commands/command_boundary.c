@@ -72,8 +72,7 @@ static void print(struct record *record, const void *of) {
                  "vertices with a fourth sphere or a tangency, decided by symbolic perturbation");
   }
   if (record->form == AS_JSON && counted->listed) record_table(record, "shell_list", &shells);
-  const bool line = record_is_row(record);
-  if (box != NULL && !line) periodic_result_record(record, box);
+  if (box != NULL) periodic_result_record(record, box);
   if (record->form == FOR_PERSONS && counted->shell_count > (counted->listed ? 0 : 1)) {
     record_table(record, NULL, &shells);
   }
