@@ -118,10 +118,12 @@ static void json_row(const struct one *one, const char *title, const char *reaso
   text_buffer_add_text(out, "}\n");
 }
 
-/* Empty columns, as many as there are between the first and the last ones; a mark as long as that is not known. */
+/* Empty columns, as many as there are between the first and the last ones, each with the comma behind it; a mark as
+ * long as that is not known. */
 static const char columns_to_come = '\1';
 static void add_empty_columns(const struct many *many, struct text_buffer *out) {
   if (!many->begun) text_buffer_append(out, &columns_to_come, 1);
+  if (many->titles.length > 0) text_buffer_append(out, ",", 1);
   for (size_t k = 0; k < many->titles.length; ++k) {
     if (many->titles.text[k] == ',') text_buffer_append(out, ",", 1);
   }
@@ -134,10 +136,10 @@ static void csv_row(const struct many *many, const struct one *one, const char *
   text_buffer_append(out, ",", 1);
   if (one->done) {
     text_buffer_append(out, row, length);
+    text_buffer_append(out, ",", 1);
   } else {
     add_empty_columns(many, out);
   }
-  text_buffer_append(out, ",", 1);
   csv_text(out, reason);
   text_buffer_append(out, "\n", 1);
 }
@@ -160,7 +162,7 @@ static void begin_table(struct many *many, const char *titles, size_t length, st
   text_buffer_append(&many->titles, titles, length);
   text_buffer_add(out, "%s", csv ? "model,title," : "    model");
   text_buffer_append(out, titles, length);
-  text_buffer_add(out, "%s\n", csv ? ",fault" : "  title");
+  text_buffer_add(out, "%s\n", !csv ? "  title" : length > 0 ? ",fault" : "fault");
   for (size_t at = 0; at < many->early.length; ++at) {
     if (many->early.text[at] != columns_to_come) {
       text_buffer_append(out, many->early.text + at, 1);
