@@ -50,14 +50,15 @@ const struct option *option_at(size_t i) {
        .help = "read model N of the file, counted from 1; default 1"},
       {"--models", "all", take_choice, EVERY, .target = IN(models), .words = "merged|all", .first = 1,
        .help = "go through all models or molecules of a {molecules} file: a row\n"
-               "of a table for each, with its title, or with --csv one of comma-separated values, or with\n"
-               "--json a line: model, title and the keys of the command. One that fails has a row that says\n"
-               "why, under fault, and the exit status is 1"},
+               "of a table for each, with its title, or with --csv, where the command has it, one of\n"
+               "comma-separated values, or with --json a line: model, title and the keys of the command.\n"
+               "One that fails has a row that says why, under fault, and the exit status is 1"},
       {"--models", "merged", take_choice, EVERY, .target = IN(models), .words = "merged", .first = 1,
        .help = "read all models as one set of balls, as of files that have one for each copy of an\n"
                "assembly (.pdb1): chains of model 2 have -2 behind their names"},
       {"--rows", NULL, take_flag, EVERY, .target = IN(rows_given),
-       .help = "of each file a row of one table, with --csv of comma-separated values, and no lists"},
+       .help = "of each file a row of one table, with --csv, where the command has it, of comma-separated\n"
+               "values, and no lists"},
       {"--altloc", "first|occupancy|LETTER", take_location, EVERY, .words = "first|occupancy",
        .what = "first, occupancy or a letter",
        .help = "which location counts of atoms that .pdb and .cif files have at several: of each atom that\n"

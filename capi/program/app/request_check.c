@@ -75,9 +75,9 @@ static bool check_rows(struct request *request, struct failure *failure) {
   const char *const option = each ? "--models all" : "--rows";
   const enum command command = request->command;
   if (command == COMMAND_CLASH || command == COMMAND_MESH || command == COMMAND_DRAW ||
-      (command == COMMAND_HESSIAN && !request->json)) {
+      (command == COMMAND_HESSIAN && !(each && request->json))) {
     return failure_in_usage(failure, "%s is not for %s%s", option, command_table[command].name,
-                            command == COMMAND_HESSIAN ? " but with --json" : "");
+                            command == COMMAND_HESSIAN && each ? " but with --json" : "");
   }
   if (each && !file_format_has(request->format, FILE_MOLECULES)) {
     return failure_in_usage(failure, "--models all has no use here: it is for %s files",
