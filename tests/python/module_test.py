@@ -7,6 +7,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from unittest import mock
 from xml.etree import ElementTree
 
 import program
@@ -699,6 +700,19 @@ class Wrong(unittest.TestCase):
             self.assertEqual(model.n, 2000)
             self.assertEqual(len(model.query_pairs(0).first), 2001)
             self.assertEqual(len(model.arrangement().of_ball), 2000)
+
+    def test_memory_that_runs_out(self):
+        """The next call makes the handle, or it is as before."""
+        boundary = hardsphere.Boundary().compute(hardsphere.Model().set(LENS, [1, 1]))
+        mesh = hardsphere.Mesh()
+        with mock.patch.object(_calls.Handle, "_make", side_effect=MemoryError), self.assertRaises(MemoryError):
+            mesh.compute(boundary, 0.5)
+        triangles = mesh.compute(boundary, 0.5).get_counts().triangles
+        self.assertGreater(triangles, 10)
+        with mock.patch.object(_calls.Handle, "_make", side_effect=MemoryError), self.assertRaises(MemoryError):
+            mesh.compute(boundary, 0.01)
+        self.assertEqual(mesh.compute(boundary, 0.5).get_counts().triangles, triangles)
+        self.assertGreater(mesh.compute(boundary, 0.01).get_counts().triangles, triangles)
 
     def test_nothing_computed(self):
         with self.assertRaises(hardsphere.Error):

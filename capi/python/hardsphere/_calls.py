@@ -357,8 +357,8 @@ class Handle:
         self._memory, self._pointer = memory, pointer
 
     def _grow(self, limits: Any) -> None:
-        self._limits = limits
         self._make(C.byref(limits))
+        self._limits = limits  # of the memory there is, also where there is none for more
 
     def _ready(self, name: str, values: dict[str, Any], sizes: dict[str, int]) -> int:
         """Makes the handle before it computes for the first time, and one without limits when more balls come. How many
