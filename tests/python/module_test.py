@@ -714,6 +714,18 @@ class Wrong(unittest.TestCase):
         self.assertEqual(mesh.compute(boundary, 0.5).get_counts().triangles, triangles)
         self.assertGreater(mesh.compute(boundary, 0.01).get_counts().triangles, triangles)
 
+    def test_more_balls_than_there_are_limits_for(self):
+        """So many take gigabytes: here the library says it of any number."""
+        centers, radii = random_balls(50, 7)
+        areas = plain(hardsphere.Box(centers, radii, [9, 9, 9]).areas)
+        known = _calls._described("hsp_periodic_limits_init")
+
+        def refuses(limits, size, balls, *more):
+            return hardsphere.E_RANGE if balls > 0 else known.function(limits, size, balls, *more)
+
+        with mock.patch.dict(_calls._ready, hsp_periodic_limits_init=known._replace(function=refuses)):
+            self.assertEqual(plain(hardsphere.Box(centers, radii, [9, 9, 9]).areas), areas)
+
     def test_nothing_computed(self):
         with self.assertRaises(hardsphere.Error):
             hardsphere.Boundary().get_counts()

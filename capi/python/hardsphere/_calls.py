@@ -19,7 +19,7 @@ except ImportError:
     numpy = None  # type: ignore[assignment]
 
 _NONE, _ABI = 0xFFFFFFFF, 2
-_ARGUMENT, _CAPACITY, _NOT_FINITE, _NEGATIVE = -1, -2, -10, -11
+_ARGUMENT, _CAPACITY, _NOT_FINITE, _NEGATIVE, _RANGE = -1, -2, -10, -11, -12
 _SCALARS = {"double": C.c_double, "int32_t": C.c_int32, "uint32_t": C.c_uint32, "uint8_t": C.c_uint8,
             "int64_t": C.c_int64, "uint64_t": C.c_uint64, "size_t": C.c_size_t}
 _WHOLE = set(_SCALARS) - {"double", "uint8_t"}
@@ -375,11 +375,15 @@ class Handle:
             init = name.removesuffix("_with").replace("compute", "limits_init")
             described = _described(init if "limits_init" in init and init in _functions else self._of("limits_init"))
             limits = _records[described.arguments[0].base]()
-            more = []
-            for a in described.arguments[2:]:
-                handles = [v for v in values.values() if isinstance(v, Handle) and f"hsp_{v.noun}" == a.base]
-                more.append(handles[0]._pointer if handles else balls if a.name == "balls" else values[a.name])
-            _check(described.function(C.byref(limits), C.sizeof(limits), *more), self._of("limits_init"), given=values)
+            for known in (balls, 0):  # of more balls than it knows limits for: those of none, which grow
+                more = []
+                for a in described.arguments[2:]:
+                    handles = [v for v in values.values() if isinstance(v, Handle) and f"hsp_{v.noun}" == a.base]
+                    more.append(handles[0]._pointer if handles else known if a.name == "balls" else values[a.name])
+                status = described.function(C.byref(limits), C.sizeof(limits), *more)
+                if status != _RANGE or "balls" not in (a.name for a in described.arguments):
+                    break
+            _check(status, self._of("limits_init"), given=values)
             for field, least in self._wanted.items():
                 setattr(limits, field, max(getattr(limits, field), _whole(least, C.c_uint32)))
             self._grow(limits)
