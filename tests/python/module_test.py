@@ -388,6 +388,39 @@ class Values(unittest.TestCase):
         self.assertEqual(hardsphere.Boundary().compute(model).measure(only=["totals"]).area,
                          hardsphere.measure(centers, radii).area)
 
+    def test_moves_that_take_more_room_than_there_was(self):
+        centers = [[10.0 * k, 0, 0] for k in range(400)]
+        model = hardsphere.Model().set(centers, [1] * 400, probe=0.25)
+        sigma = [1 + k / 1000 for k in range(400)]
+        moving = hardsphere.Moving().set(model, 1.0, 0.5, 0, sigma)
+        sigma[:] = [7] * 400  # the caller's own again
+        moving.move([399], [[20, 0.5, 0]])
+        energy, areas = moving.gradient(only="energy").value, plain(moving.measure().area)
+        together = [[0.0005 * k, 0.001 * k, 0] for k in range(350)]
+        for place in "_make", "_grow":  # of the model, and of the balls
+            with mock.patch.object(_calls.Handle, place, side_effect=MemoryError), self.assertRaises(MemoryError):
+                moving.move(range(350), together)
+            self.assertEqual((moving.gradient(only="energy").value, plain(moving.measure().area)), (energy, areas))
+        failing = _calls._described("hsp_moving_set")
+        refusing = failing._replace(function=lambda *_: hardsphere.E_CHECK)
+        with mock.patch.dict(_calls._ready, hsp_moving_set=refusing), self.assertRaises(hardsphere.Error):
+            moving.move(range(350), together)
+        self.assertEqual((moving.gradient(only="energy").value, plain(moving.measure().area)), (energy, areas))
+        moving.move(range(350), together)
+        moved = together + centers[350:399] + [[20, 0.5, 0]]
+        step = moving.get_info().step
+        known = hardsphere.Model().set(moved, [1] * 400, probe=0.25, step=step)
+        afresh = hardsphere.Moving(neighbours=400).set(known, 1.0, 0.5, 0, [1 + k / 1000 for k in range(400)])
+        self.assertEqual(plain(moving.measure().area), plain(afresh.measure().area))
+        self.assertEqual(plain(moving.gradient().d_centre), plain(afresh.gradient().d_centre))
+        self.assertEqual(moving.gradient(only="energy").value, afresh.gradient(only="energy").value)
+        self.assertEqual((moving.n, model.n), (400, 400))
+        boundary = hardsphere.Boundary().compute(model)  # the caller's model has its own balls
+        self.assertAlmostEqual(boundary.measure(only="totals").area, 400 * 4 * math.pi * 1.25 ** 2, 6)
+        with self.assertRaises(hardsphere.Error):
+            moving.move([400], [[0, 0, 0]])
+        self.assertEqual(moving.gradient(only="energy").value, afresh.gradient(only="energy").value)
+
     def test_a_way_that_takes_more_room_than_there_was(self):
         centers, radii = random_balls(200, 20, low=0.5, high=1.0)
         paths = hardsphere.Paths().compute(hardsphere.Balls(centers, radii, probe=0.2).model)

@@ -2,6 +2,7 @@
 grows, statuses as exceptions. numpy's arrays come back where numpy is there, and lists where it is not."""
 from __future__ import annotations
 
+import copy
 import ctypes as C
 import ctypes.util
 import math
@@ -390,6 +391,23 @@ class Handle:
         return balls
 
 
+    def _grow_with_balls(self, limits: Any) -> None:
+        """Balls that moved go into more memory. If that fails all is as before."""
+        assert self._last is not None  # there are balls, or none could need more room
+        name, values = self._last
+        model = type(values["model"])()  # not the caller's, which has balls of its own
+        model._make(self.n)
+        model._room = self.n
+        call(self._of("get_model"), self, model=model)
+        before = dict(self.__dict__)
+        try:
+            self._grow(limits)
+            call(name, self, **{**values, "model": model})
+        except BaseException:
+            self.__dict__.update(before)
+            raise
+
+
 # ---- a call ----------------------------------------------------------------------------------------------------------
 
 def _handle_in(value: Any, argument: Argument) -> Handle:
@@ -566,12 +584,12 @@ def call(name: str, handle: Handle | None, only: Iterable[str] | None = None, **
     capacity = 0 if open_ones else sizes.get("n", 0)
     status, needed = attempt(capacity)
     while status == _CAPACITY and computes and handle is not None:
-        moved = name.startswith(handle._of("move"))
-        handle._grow(limits[-1])
-        if moved:  # the balls as they were are in the old memory, which is gone
-            raise Error(status, _NONE, name + ": set the balls again")
-        if not makes and handle._last is not None:
-            call(handle._last[0], handle, **handle._last[1])
+        if name.startswith(handle._of("move")):
+            handle._grow_with_balls(limits[-1])
+        else:
+            handle._grow(limits[-1])
+            if not makes and handle._last is not None:
+                call(handle._last[0], handle, **handle._last[1])
         status, needed = attempt(capacity)
     while status == _CAPACITY and "bytes" in made and C.sizeof(scratch) < made["bytes"].value:  # memory for one call
         scratch = C.create_string_buffer(made["bytes"].value)
@@ -590,7 +608,9 @@ def call(name: str, handle: Handle | None, only: Iterable[str] | None = None, **
         sources = [v for v in values.values() if isinstance(v, Handle)]
         if makes:
             handle._kept = [(source._memory, source._kept) for source in sources]
-            handle._last = (name, values)
+            if computes:  # what is given here may be other numbers when the balls have to be set again
+                handle._last = (name, {key: copy.copy(value) if hasattr(value, "__len__") else value
+                                       for key, value in values.items()})
         elif name.endswith("get_model"):
             sources[0].n = handle.n
     if any(a.kind == "callback" for a in arguments):
