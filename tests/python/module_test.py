@@ -1,11 +1,16 @@
 """The Python module against the program, closed forms and the record of the binary interface."""
 import array
+import contextlib
 import inspect
 import math
+import os
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import threading
+import time
 import unittest
 from unittest import mock
 from xml.etree import ElementTree
@@ -560,6 +565,122 @@ class AsPeopleTypeIt(unittest.TestCase):
         self.assertEqual(hardsphere.table(voids)["volume"], [v.volume for v in voids])
         self.assertEqual(len(hardsphere.table(voids)["balls"]), len(voids))
         self.assertEqual(hardsphere.table([]), {})
+
+
+class Interrupted(Exception):
+    pass
+
+
+class Signals(unittest.TestCase):
+    """Exceptions that come at any time, as KeyboardInterrupt does, leave nothing running behind."""
+
+    def setUp(self):
+        def handler(*_):
+            raise Interrupted
+
+        self.addCleanup(signal.signal, signal.SIGUSR1, signal.signal(signal.SIGUSR1, handler))
+        self.centers, self.radii = random_balls(1500, 20)
+        self.areas = plain(hardsphere.Balls(self.centers, self.radii, probe=0.2).areas)
+        self.begun, self.running, self.left = 0, 0, []  # left: tasks that were running when a loop returned
+        self.lock = threading.Lock()
+
+    def loops(self, in_task=lambda number: None):
+        """All loops count their tasks, which take some time."""
+        loop = _calls._LOOP
+
+        def counted(run):
+            def counting(context, tasks, task, data):
+                def slow(data, k):
+                    with self.lock:
+                        self.begun, self.running = self.begun + 1, self.running + 1
+                        number = self.begun
+                    try:
+                        in_task(number)
+                        time.sleep(0.002)
+                        task(data, k)
+                    finally:
+                        with self.lock:
+                            self.running -= 1
+
+                try:
+                    return run(context, tasks, slow, data)
+                finally:
+                    self.left.append(self.running)
+                    begun = self.begun
+                    time.sleep(0.01)
+                    self.left.append(self.begun - begun)
+
+            return loop(counting)
+
+        return mock.patch.object(_calls, "_LOOP", counted)
+
+    def starts(self, start):
+        """start(real, *arguments) starts threads."""
+        stack = contextlib.ExitStack()
+        for of, name in (threading.Thread, "start"), (_calls, "start_new_thread"):
+            if hasattr(of, name):
+                real = getattr(of, name)
+                stack.enter_context(mock.patch.object(of, name, lambda *given, real=real: start(real, *given)))
+        return stack
+
+    def test_an_exception_while_threads_are_started(self):
+        for last in 1, 2, 3:
+            for before in False, True:
+                starts = []
+
+                def start(real, *given):
+                    starts.append(0)
+                    if before and len(starts) == last:
+                        raise KeyboardInterrupt
+                    result = real(*given)
+                    if len(starts) == last:
+                        raise KeyboardInterrupt
+                    return result
+
+                balls = hardsphere.Balls(self.centers, self.radii, probe=0.2, threads=3)
+                with self.loops(), self.starts(start), self.assertRaises(KeyboardInterrupt):
+                    balls.areas
+                self.assertEqual(set(self.left), {0} if self.left else set())
+                self.assertEqual(plain(balls.areas), self.areas)
+
+    def test_a_signal_in_a_task(self):
+        for which in 1, 3:
+            def interrupt(number):
+                if number == which:
+                    os.kill(os.getpid(), signal.SIGUSR1)
+
+            self.begun = 0
+            balls = hardsphere.Balls(self.centers, self.radii, probe=0.2, threads=3)
+            with self.loops(interrupt), self.assertRaises(Interrupted):
+                balls.areas
+            self.assertGreaterEqual(self.begun, which)
+            self.assertEqual(set(self.left), {0})
+            self.assertEqual(plain(balls.areas), self.areas)
+
+    def test_no_thread_can_be_started(self):
+        def start(*_):
+            raise RuntimeError("can't start new thread")
+
+        for most in 0, 1, 2:
+            starts = []
+
+            def some(real, *given):
+                starts.append(0)
+                return real(*given) if len(starts) <= most else start()
+
+            balls = hardsphere.Balls(self.centers, self.radii, probe=0.2, threads=3)
+            with self.loops(), self.starts(some):
+                self.assertEqual(plain(balls.areas), self.areas)
+            self.assertGreater(self.begun, 1)
+
+    def test_other_threads_may_call(self):
+        found = []
+        with self.loops():
+            thread = threading.Thread(target=lambda: found.append(
+                plain(hardsphere.Balls(self.centers, self.radii, probe=0.2, threads=3).areas)))
+            thread.start()
+            thread.join()
+        self.assertEqual(found, [self.areas])
 
 
 class Wrong(unittest.TestCase):

@@ -8,11 +8,12 @@ import ctypes.util
 import math
 import operator
 import os
-from concurrent.futures import ThreadPoolExecutor
+import threading
+from _thread import allocate_lock, start_new_thread
 from contextlib import contextmanager, suppress
 from keyword import iskeyword
 from types import SimpleNamespace
-from typing import Any, Iterable, Iterator, NamedTuple
+from typing import Any, Callable, Iterable, Iterator, NamedTuple
 
 try:
     import numpy
@@ -20,7 +21,7 @@ except ImportError:
     numpy = None  # type: ignore[assignment]
 
 _NONE, _ABI = 0xFFFFFFFF, 2
-_ARGUMENT, _CAPACITY, _NOT_FINITE, _NEGATIVE, _RANGE = -1, -2, -10, -11, -12
+_ARGUMENT, _CAPACITY, _NOT_FINITE, _NEGATIVE, _RANGE, _EXECUTOR = -1, -2, -10, -11, -12, -15
 _SCALARS = {"double": C.c_double, "int32_t": C.c_int32, "uint32_t": C.c_uint32, "uint8_t": C.c_uint8,
             "int64_t": C.c_int64, "uint64_t": C.c_uint64, "size_t": C.c_size_t}
 _WHOLE = set(_SCALARS) - {"double", "uint8_t"}
@@ -416,7 +417,8 @@ def _handle_in(value: Any, argument: Argument) -> Handle:
     return value
 
 
-def _options(argument: Argument, fields: list[Argument], values: dict[str, Any], sizes: dict[str, int]) -> Any:
+def _options(argument: Argument, fields: list[Argument], values: dict[str, Any], sizes: dict[str, int],
+             raised: list[BaseException]) -> Any:
     """A struct of options with its defaults and what is given."""
     made = _records[argument.base]()
     init = f"{argument.base}_init"
@@ -428,9 +430,9 @@ def _options(argument: Argument, fields: list[Argument], values: dict[str, Any],
     for field in fields:
         value = values.get(field.name)
         if field.base == "hsp_executor" and (values.get("threads") or 1) > 1:
-            value = _executor(values["threads"])
+            value = _executor(values["threads"], raised)
         elif field.kind == "sized_in" and field.base in _fields:
-            value = _options(field, _fields[field.base], values, sizes)
+            value = _options(field, _fields[field.base], values, sizes, raised)
         if value is None:
             continue
         if field.kind == "sized_in":
@@ -449,12 +451,101 @@ def _options(argument: Argument, fields: list[Argument], values: dict[str, Any],
     return made
 
 
-def _executor(threads: int) -> Any:
-    """A loop whose tasks so many threads share; none of them holds Python's lock while it works."""
+def _call_apart(function: Callable[[], int], raised: list[BaseException]) -> int:
+    """Calls a function that calls back. Handlers of signals run in the main thread, and ctypes drops exceptions of a
+    callback: another thread makes the call of the main thread, which waits for its end and puts into `raised` what is
+    raised meanwhile. If no thread can be started the call is made here."""
+    if threading.current_thread() is not threading.main_thread():
+        return function()
+    claims: list[object] = []
+    found: list[int] = []
+    ended = allocate_lock()
+    ended.acquire()
+
+    def work() -> None:
+        """The first to come makes the call, or none if there is no more use in it."""
+        mine = object()
+        try:
+            claims.append(mine)
+            if claims[0] is mine and not raised:
+                found.append(function())
+        except BaseException as wrong:
+            raised.append(wrong)
+        finally:
+            if claims and claims[0] is mine:
+                found.append(_EXECUTOR)
+                ended.release()
+
+    while not found:
+        try:
+            if raised:  # perhaps before a thread was started
+                work()
+            else:
+                try:
+                    start_new_thread(work, ())
+                except (RuntimeError, MemoryError):
+                    work()
+            ended.acquire()
+        except BaseException as wrong:
+            raised.append(wrong)
+    return found[0]
+
+
+def _executor(threads: int, raised: list[BaseException]) -> Any:
+    """A loop whose tasks so many threads share; none of them holds Python's lock while it works. Exceptions go into
+    `raised`, and no task begins when there is one."""
     def run(_: Any, tasks: int, task: Any, data: Any) -> int:
-        with ThreadPoolExecutor(min(threads, tasks)) as pool:
-            list(pool.map(lambda k: task(data, k), range(tasks)))
-        return 0
+        """Returns when no task is running and none can begin, 1 if one is left."""
+        left, done = list(range(tasks))[::-1], []
+        running, started, ended = 0, 0, 0  # tasks in helpers; helpers
+        closed = begun = False
+        lock, woken = allocate_lock(), allocate_lock()
+        woken.acquire()
+
+        def help_out() -> None:
+            nonlocal running, ended
+            try:
+                while True:
+                    with lock:
+                        if closed or raised or not left:
+                            return
+                        k = left.pop()
+                        running += 1
+                    try:
+                        task(data, k)
+                        done.append(k)
+                    finally:
+                        with lock:
+                            running -= 1
+            finally:
+                with lock:
+                    ended += 1
+                    if woken.locked():
+                        woken.release()
+
+        while True:
+            try:
+                if not begun:
+                    begun = True
+                    with suppress(RuntimeError, MemoryError):  # the threads that there are do all tasks
+                        for _ in range(min(threads, tasks) - 1):
+                            start_new_thread(help_out, ())
+                            started += 1
+                while left and not raised:
+                    with lock:
+                        mine = left[-1:]
+                        del left[-1:]
+                    for k in mine:
+                        task(data, k)
+                        done.append(k)
+                with lock:
+                    closed = True
+                    if running == 0 and ended >= started:  # one that begins late could outlive Python
+                        break
+                woken.acquire()
+            except BaseException as wrong:
+                raised.append(wrong)
+        return 0 if len(done) == tasks else 1
 
     made = _records["hsp_executor"]()
     made.struct_size, made.workers, made.kept = C.sizeof(made), _whole(threads, C.c_uint32), _LOOP(run)
@@ -566,17 +657,28 @@ def call(name: str, handle: Handle | None, only: Iterable[str] | None = None, **
             elif a.kind == "sized":
                 passed.append(C.byref(values[a.name]))
             elif a.kind == "sized_in" and described.fields[a.name]:
-                kept.append(_options(a, described.fields[a.name], values, sizes))
+                kept.append(_options(a, described.fields[a.name], values, sizes, raised))
                 passed.append(C.byref(kept[-1]))
             else:
                 passed.append(None)
-        status = described.function(*passed)
+        if (values.get("threads") or 1) > 1:
+            status = _call_apart(lambda: described.function(*passed), raised)
+        else:
+            status = described.function(*passed)
         if makes:
             handle.n = balls
+            if status == 0:
+                handle._kept = [(v._memory, v._kept) for v in values.values() if isinstance(v, Handle)]
+                if computes:  # what is given here may be other numbers when the balls have to be set again
+                    handle._last = (name, {key: copy.copy(value) if hasattr(value, "__len__") else value
+                                           for key, value in values.items()})
+        if raised:
+            raise raised[0]
         if ends is not None and hasattr(ends, "first_bad") and "first_bad" in made:
             made["first_bad"].value = ends.first_bad
         return status, ends.needed if ends is not None and hasattr(ends, "needed") else needed.value
 
+    raised: list[BaseException] = []  # in callbacks, or while another thread made the call
     limits: list[Any] = []
     scratch = C.create_string_buffer(0)
     # Arrays of one element for each of the handle's balls are held to that number; sizes that only the function knows
@@ -604,15 +706,8 @@ def call(name: str, handle: Handle | None, only: Iterable[str] | None = None, **
         return status.decode() if isinstance(status, bytes) else status
     bad = made.pop("first_bad", None)
     _check(status, name, _NONE if bad is None else bad.value, values)
-    if handle is not None:
-        sources = [v for v in values.values() if isinstance(v, Handle)]
-        if makes:
-            handle._kept = [(source._memory, source._kept) for source in sources]
-            if computes:  # what is given here may be other numbers when the balls have to be set again
-                handle._last = (name, {key: copy.copy(value) if hasattr(value, "__len__") else value
-                                       for key, value in values.items()})
-        elif name.endswith("get_model"):
-            sources[0].n = handle.n
+    if handle is not None and name.endswith("get_model"):
+        values["model"].n = handle.n
     if any(a.kind == "callback" for a in arguments):
         return bytes(taken)
     found = {f.name: given_back(made[f.name], f) if f.kind == "array_out" else
