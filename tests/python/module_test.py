@@ -673,6 +673,58 @@ class Signals(unittest.TestCase):
                 self.assertEqual(plain(balls.areas), self.areas)
             self.assertGreater(self.begun, 1)
 
+    def sinks(self, broken, fault):
+        """fault(sink, *arguments) takes the broken one of the pieces of a picture."""
+        made = _calls._SINK
+
+        def counted(sink):
+            pieces = []
+
+            def take(*given):
+                pieces.append(0)
+                return fault(sink, *given) if len(pieces) == broken else sink(*given)
+
+            return made(take)
+
+        return mock.patch.object(_calls, "_SINK", counted)
+
+    def test_an_exception_while_a_picture_is_written(self):
+        """There is none with a hole."""
+        balls = hardsphere.Balls(self.centers, self.radii)
+        picture = balls.svg()
+        self.assertGreater(len(picture), 10 * 1024)
+
+        class Unreadable:
+            def __getitem__(self, _):
+                raise MemoryError
+
+        def before(sink, *given):  # the sink is called
+            os.kill(os.getpid(), signal.SIGUSR1)
+            return sink(*given)
+
+        def inside(sink, context, text, count):
+            sink(context, Unreadable(), count)
+            return 0
+
+        def lost(*_):
+            return 0
+
+        for broken in 1, 5:
+            for fault, raised in (before, Interrupted), (inside, MemoryError), (lost, hardsphere.Error):
+                with self.subTest(f"{fault.__name__} {broken}"):
+                    with self.sinks(broken, fault), self.assertRaises(raised):
+                        balls.svg()
+                    self.assertEqual(balls.svg(), picture)
+
+        def start(*_):
+            raise RuntimeError("can't start new thread")
+
+        with self.starts(start):
+            self.assertEqual(balls.svg(), picture)
+        view = hardsphere.View().compute(balls.model, towards=[0, 0, 1])
+        for kind in hardsphere.FORMAT_EPS, hardsphere.FORMAT_PDF:  # their bytes are counted, too
+            self.assertGreater(len(view.picture_write(format=kind, width=400.0)), 10 * 1024)
+
     def test_other_threads_may_call(self):
         found = []
         with self.loops():

@@ -21,7 +21,7 @@ except ImportError:
     numpy = None  # type: ignore[assignment]
 
 _NONE, _ABI = 0xFFFFFFFF, 2
-_ARGUMENT, _CAPACITY, _NOT_FINITE, _NEGATIVE, _RANGE, _EXECUTOR = -1, -2, -10, -11, -12, -15
+_ARGUMENT, _CAPACITY, _REFUSED, _NOT_FINITE, _NEGATIVE, _RANGE, _EXECUTOR = -1, -2, -7, -10, -11, -12, -15
 _SCALARS = {"double": C.c_double, "int32_t": C.c_int32, "uint32_t": C.c_uint32, "uint8_t": C.c_uint8,
             "int64_t": C.c_int64, "uint64_t": C.c_uint64, "size_t": C.c_size_t}
 _WHOLE = set(_SCALARS) - {"double", "uint8_t"}
@@ -609,11 +609,18 @@ def call(name: str, handle: Handle | None, only: Iterable[str] | None = None, **
     if "first_bad" in made:
         made["first_bad"].value = _NONE
     open_ones = [f for f in wanted if f.name not in made]
+    calls_back = any(a.kind == "callback" for a in arguments)
     taken = bytearray()
 
     def sink(_: Any, text: Any, count: int) -> int:
-        taken.extend(text[:count])
-        return 0
+        try:
+            if raised:
+                return 1
+            taken.extend(text[:count])
+            return 0
+        except BaseException as wrong:
+            raised.append(wrong)
+            return 1
 
     def attempt(capacity: int) -> tuple[int, int]:
         """The status, and what is needed."""
@@ -661,7 +668,7 @@ def call(name: str, handle: Handle | None, only: Iterable[str] | None = None, **
                 passed.append(C.byref(kept[-1]))
             else:
                 passed.append(None)
-        if (values.get("threads") or 1) > 1:
+        if calls_back or (values.get("threads") or 1) > 1:
             status = _call_apart(lambda: described.function(*passed), raised)
         else:
             status = described.function(*passed)
@@ -674,6 +681,8 @@ def call(name: str, handle: Handle | None, only: Iterable[str] | None = None, **
                                            for key, value in values.items()})
         if raised:
             raise raised[0]
+        if calls_back and status == 0 and len(taken) != made["bytes"].value:
+            status = _REFUSED  # ctypes drops an exception that comes before the first line of the sink
         if ends is not None and hasattr(ends, "first_bad") and "first_bad" in made:
             made["first_bad"].value = ends.first_bad
         return status, ends.needed if ends is not None and hasattr(ends, "needed") else needed.value
@@ -708,7 +717,7 @@ def call(name: str, handle: Handle | None, only: Iterable[str] | None = None, **
     _check(status, name, _NONE if bad is None else bad.value, values)
     if handle is not None and name.endswith("get_model"):
         values["model"].n = handle.n
-    if any(a.kind == "callback" for a in arguments):
+    if calls_back:
         return bytes(taken)
     found = {f.name: given_back(made[f.name], f) if f.kind == "array_out" else
              made[f.name] if f.kind == "struct_out" else made[f.name].value
