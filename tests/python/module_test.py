@@ -643,6 +643,14 @@ class Signals(unittest.TestCase):
                 self.assertEqual(set(self.left), {0} if self.left else set())
                 self.assertEqual(plain(balls.areas), self.areas)
 
+    def test_an_exception_before_the_library_is_called(self):
+        """The handle has the balls of before."""
+        model = hardsphere.Model().set(self.centers, self.radii)
+        with self.starts(mock.Mock(side_effect=KeyboardInterrupt)), self.assertRaises(KeyboardInterrupt):
+            model.set_with(LENS, [1, 1], threads=3)
+        self.assertEqual(model.n, 1500)
+        self.assertEqual(len(model.query_pairs(0).first), 1501)
+
     def test_a_signal_in_a_task(self):
         for which in 1, 3:
             def interrupt(number):

@@ -668,17 +668,18 @@ def call(name: str, handle: Handle | None, only: Iterable[str] | None = None, **
                 passed.append(C.byref(kept[-1]))
             else:
                 passed.append(None)
-        if calls_back or (values.get("threads") or 1) > 1:
-            status = _call_apart(lambda: described.function(*passed), raised)
-        else:
-            status = described.function(*passed)
-        if makes:
-            handle.n = balls
-            if status == 0:
+        def make() -> int:
+            result = described.function(*passed)
+            if makes:
+                handle.n = balls
+            if makes and result == 0:
                 handle._kept = [(v._memory, v._kept) for v in values.values() if isinstance(v, Handle)]
                 if computes:  # what is given here may be other numbers when the balls have to be set again
                     handle._last = (name, {key: copy.copy(value) if hasattr(value, "__len__") else value
                                            for key, value in values.items()})
+            return result
+
+        status = _call_apart(make, raised) if calls_back or (values.get("threads") or 1) > 1 else make()
         if raised:
             raise raised[0]
         if calls_back and status == 0 and len(taken) != made["bytes"].value:
