@@ -216,6 +216,30 @@ TEST(Assemblies, OfRemark350) {
       2);
 }
 
+// Operators for further chains do not go to the chains before, and a line that announces some in other words is no line
+// to step over.
+TEST(Assemblies, OperatorsForFurtherChains) {
+  const std::string first =
+      "REMARK 350 BIOMOLECULE: 1\nREMARK 350 APPLY THE FOLLOWING TO CHAINS: A\n" + biomt(1, unmoved);
+  const auto read = [&](const std::string &line) {
+    return TemporaryFile("further.pdb", first + "REMARK 350 " + line + "\n" + biomt(1, turned) + two_chains);
+  };
+  const std::vector<double> parts = {1, 2, 3, 1, 2, 9, 9, 9, 9, 3, 7, 22};
+  for (const char *line : {"APPLY THE FOLLOWING TO CHAINS: B", "IN ADDITION APPLY THE FOLLOWING TO CHAINS: B"}) {
+    const TemporaryFile file = read(line);
+    const Json json = run_json({"measure", file.path(), "--per-ball", "--by", "chain", "--assembly", "1"});
+    EXPECT_EQ(texts(json["chains"], "chain"), Texts({"A", "B"})) << line;
+    EXPECT_EQ(places(json), parts) << line;
+  }
+  for (const char *line : {"THEN APPLY THE FOLLOWING TO CHAINS: B", "AND APPLY THE FOLLOWING TO CHAINS: B",
+                           "APPLY THE FOLLOWING TO CHAINS B", "IN ADDITION APPLY THE FOLLOWING TO CHAINS"}) {
+    const TemporaryFile file = read(line);
+    const Outcome outcome = run_program({"measure", file.path(), "--assembly", "1"});
+    EXPECT_EQ(outcome.status, 1) << line;
+    EXPECT_EQ(outcome.err, "hardsphere: " + file.path() + ": the operators of the file's assemblies cannot be read\n");
+  }
+}
+
 // The lists of mmCIF: groups in parentheses are applied from right to left, and chains go by label_asym_id.
 TEST(Assemblies, OfMmcif) {
   const auto operators = [](const std::string &rows) {

@@ -67,23 +67,46 @@ static bool take_biomt(struct assemblies *assemblies, const struct field field[8
   return true;
 }
 
+/* The first words of a line that begins a part: APPLY, or IN ADDITION APPLY. */
+static bool begins_part(const struct field *word, size_t words) {
+  static const char *const addition[] = {"IN", "ADDITION", "APPLY"};
+  if (field_is(word[0], "APPLY")) return true;
+  for (size_t k = 0; k < 3; ++k) {
+    if (k == words || !field_is(word[k], addition[k])) return false;
+  }
+  return true;
+}
+
+/* Whether operators for chains of its own are announced, in whatever words. */
+static bool announces_operators(const struct field *word, size_t words) {
+  for (size_t k = 0; k + 2 < words; ++k) {
+    if (field_is(word[k], "THE") && field_is(word[k + 1], "FOLLOWING") && field_is(word[k + 2], "TO")) return true;
+  }
+  return false;
+}
+
 bool assemblies_take_pdb_record(struct assemblies *assemblies, const struct line_reader *reader,
                                 struct failure *failure) {
+  enum { MOST_FIELDS = 40 }; /* of 80 columns */
   static const char lead[] = "REMARK 350 ";
   if (reader->length < sizeof lead || memcmp(reader->text, lead, sizeof lead - 1) != 0) return true;
-  struct field field[8];
-  const size_t fields = fields_split(reader->text, reader->length, field, 8);
+  struct field field[MOST_FIELDS];
+  const size_t fields = fields_split(reader->text, reader->length, field, MOST_FIELDS);
   const char *const colon = memchr(reader->text, ':', reader->length);
   if (fields < 3) return true;
   if (field[2].length == 6 && memcmp(field[2].text, "BIOMT", 5) == 0 && field[2].text[5] >= '1' &&
       field[2].text[5] <= '3') {
     return take_biomt(assemblies, field, fields, failure);
   }
-  if (colon == NULL) return true;
-  const size_t behind = (size_t)(colon + 1 - reader->text);
+  const size_t words = (fields < MOST_FIELDS ? fields : MOST_FIELDS) - 2;
+  const bool announced = announces_operators(field + 2, words), known = begins_part(field + 2, words);
+  if (colon == NULL && !announced) return true;
+  /* Its operators must not go to the chains of the part before. */
+  if (announced && (colon == NULL || !known)) assemblies->unreadable = true;
+  const size_t behind = colon == NULL ? reader->length : (size_t)(colon + 1 - reader->text);
   const struct field value = field_in_columns(reader->text, reader->length, behind + 1, reader->length);
   if (field_is(field[2], "BIOMOLECULE:")) label_copy(assemblies->name, sizeof assemblies->name, value);
-  const bool begins = field_is(field[2], "APPLY"), goes_on = field_is(field[2], "AND") && assemblies->parts > 0;
+  const bool begins = announced || known, goes_on = field_is(field[2], "AND") && assemblies->parts > 0;
   if (!begins && !goes_on) return true;
   const struct field name = {assemblies->name, strlen(assemblies->name)};
   struct assembly_part *const part = begins ? add_part(assemblies, name) : &assemblies->part[assemblies->parts - 1];
