@@ -475,6 +475,47 @@ TEST(Trajectory, FramesGiveWhatFilesGive) {
   }
 }
 
+// Of an atom at several locations in a frame the one counts that the user chose; atoms are counted behind the choice.
+TEST(Trajectory, LocationsOfFrames) {
+  const auto record = [](const char *site, double x, double occupancy) {
+    char line[96];
+    std::snprintf(line, sizeof line, "ATOM      1  %-4s%-10s   %8.3f%8.3f%8.3f%6.2f%6.2f           C\n", site,
+                  "ALA A   1", x, 0.0, 0.0, occupancy, 0.0);
+    return std::string(line);
+  };
+  const auto model = [&](double shift, double occupancy) {
+    return "MODEL        1\n" + record("N", shift, 1) + record("CA A", shift + 1, occupancy) +
+           record("CA B", shift + 9, 1 - occupancy) + "ENDMDL\n";
+  };
+  const TemporaryFile run("run.pdb", model(0, 0.4) + model(20, 0.7));
+  const auto read = [](const TemporaryFile &file, char location, uint32_t atoms, std::string *reason) {
+    std::vector<double> x;
+    trajectory frames;
+    failure why;
+    std::memset(&why, 0, sizeof why);
+    EXPECT_TRUE(trajectory_format_of(file.path().c_str(), nullptr, &frames, &why));
+    frames.location = location;
+    EXPECT_TRUE(trajectory_open(&frames, file.path().c_str(), atoms, &why));
+    while (trajectory_next(&frames, true, &why) == LINE_READ) {
+      for (uint32_t i = 0; i < atoms; ++i) x.push_back(frames.xyz[size_t{3} * i]);
+    }
+    trajectory_close(&frames);
+    *reason = why.reason;
+    return x;
+  };
+  using X = std::vector<double>;
+  std::string reason;
+  EXPECT_EQ(read(run, LOCATION_FIRST, 2, &reason), X({0, 1, 20, 21}));
+  EXPECT_EQ(read(run, LOCATION_BY_OCCUPANCY, 2, &reason), X({0, 9, 20, 21}));
+  EXPECT_EQ(read(run, 'A', 2, &reason), X({0, 1, 20, 21}));
+  EXPECT_EQ(read(run, 'B', 2, &reason), X({0, 9, 20, 29}));
+  EXPECT_EQ(reason, "");
+  EXPECT_EQ(read(run, 'B', 1, &reason), X());
+  EXPECT_EQ(reason, "frame 1: 2 in place of 1 atoms");
+  EXPECT_EQ(read(run, 'B', 3, &reason), X());
+  EXPECT_EQ(reason, "frame 1: 2 in place of 3 atoms");
+}
+
 // Quarters of an angstrom, which floats and decimals have alike: a NetCDF file gives the bytes that .xyz and .gro give.
 TEST(Trajectory, VariablesGiveWhatTextsGive) {
   std::vector<Floats> floats;

@@ -312,7 +312,8 @@ static enum line_status read_records(struct line_reader *reader, bool *begun, bo
 static enum line_status next_pdb(struct line_reader *reader, bool *begun, bool wanted, struct molecule *molecule,
                                  struct failure *failure) {
   struct pdb_reading reading = {.model = 0};
-  const enum line_status status = read_records(reader, begun, wanted, &reading, molecule, failure);
+  enum line_status status = read_records(reader, begun, wanted, &reading, molecule, failure);
+  if (status == LINE_READ && !location_choice_finish(&reading.choice, molecule, failure)) status = LINE_FAILED;
   free_reading(&reading);
   return status;
 }

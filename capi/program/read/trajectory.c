@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "hardsphere.h"
 #include "read/number.h"
 #include "read/read_molecule.h"
 
@@ -27,8 +28,9 @@ bool trajectory_open(struct trajectory *trajectory, const char *path, uint32_t a
   trajectory->path = path;
   trajectory->atoms = atoms;
   failure->file = input_name(path);
-  static const struct file_choice first = FILE_CHOICE_FIRST;
-  molecule_init(&trajectory->model, trajectory->format, &first, KEEP_NO_MORE);
+  struct file_choice choice = FILE_CHOICE_FIRST;
+  choice.location = trajectory->location;
+  molecule_init(&trajectory->model, trajectory->format, &choice, KEEP_NO_MORE);
   if (has_models(trajectory)) {
     trajectory->lines = malloc(sizeof *trajectory->lines);
     if (trajectory->lines == NULL) return failure_of_memory(failure);
@@ -54,7 +56,8 @@ bool failure_in_frame(struct failure *failure, uint64_t number) {
 static enum line_status next_model(struct trajectory *trajectory, bool wanted, struct failure *failure) {
   struct molecule *model = &trajectory->model;
   molecule_empty(model);
-  model->most = trajectory->atoms;
+  /* Those at all locations are read before the choice. */
+  model->most = trajectory->location == LOCATION_FIRST ? trajectory->atoms : HSP_MAX_BALLS;
   model->frame = trajectory->stamp;
   model->frame.box = trajectory->last_box;
   model->models = 0;

@@ -17,7 +17,8 @@ struct trajectory {
   double *xyz;     /* [atoms][3], angstrom: the frame read last */
   uint32_t *line;  /* [atoms], the lines of its atoms in the file; NULL in binary files */
   struct frame_stamp stamp;
-  bool boxed; /* one of the frames so far states a box, valid or not */
+  bool boxed;    /* one of the frames so far states a box, valid or not */
+  char location; /* which one counts of an atom's, as in struct file_choice; set it before the file is opened */
   /* Only readers use the rest. */
   struct line_reader *lines;
   bool begun; /* the next model's first line was read with the last one */
