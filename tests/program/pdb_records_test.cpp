@@ -72,6 +72,34 @@ Record with_letter(Record record, char letter) {
   return record;
 }
 
+// Programs go on with five digits past 9999, in the column of the insertion code: in records that are read column by
+// column as in those that are read at once.
+TEST(PdbRecords, ResidueNumbersOfFiveDigits) {
+  for (const char letter : {' ', 'A'}) {
+    const char *const places[] = {"B1000 ", "B1000A", "B10000", "B10001", "B 9991", "BA0000", "B-9990"};
+    std::vector<Record> records;
+    for (const char *place : places) {
+      Record record = with_letter({}, letter);
+      record.place = place;
+      records.push_back(record);
+    }
+    const TemporaryFile file("numbers.pdb", pdb(records));
+    const Outcome outcome = run_program({"measure", file.path(), "--per-ball", "--csv"});
+    std::string numbers, line;
+    std::istringstream lines(outcome.out);
+    for (std::getline(lines, line); std::getline(lines, line);) {
+      std::vector<std::string> fields;
+      std::istringstream parts(line);
+      for (std::string part; std::getline(parts, part, ',');) fields.push_back(part);
+      ASSERT_EQ(fields.size(), 12U) << line;
+      numbers += fields[5] + "/" + fields[6] + " ";
+    }
+    EXPECT_EQ(numbers, "1000/ 1000/A 10000/ 10001/ 999/1 A000/0 -999/0 ") << letter;
+    const Outcome one = run_program({"measure", file.path(), "--per-ball", "--csv", "--only", "residue:10001"});
+    EXPECT_EQ(std::count(one.out.begin(), one.out.end(), '\n'), 2) << one.out;
+  }
+}
+
 // Two atoms with locations A and B, then B and C: the first of each counts if they differ in any part of their label.
 // If a part were left out, the second atom would be an alternate of the first one, which has location A.
 TEST(PdbRecords, AlternatesOfAtomsThatDifferInOnePart) {

@@ -1,8 +1,9 @@
 /* .pdb: records in fixed columns, after "Protein Data Bank contents guide", version 3.3. Of an atom record count, in
- * columns from 1: name 13-16, alternate location 17, residue 18-20, chain 22, number and insertion code 23-27,
- * x 31-38, y 39-46, z 47-54, occupancy 55-60, element 77-78; where there is no chain, the segment in 73-76. Column 21
- * is one of the residue or of the chain (pdb_names.h). Neighbouring fields may touch. Serial numbers, 7-11, are texts
- * that CONECT records name atoms by. .pdbqt: the same with a charge in 71-76 and a type of AutoDock's in 78-80. */
+ * columns from 1: name 13-16, alternate location 17, residue 18-20, chain 22, number and insertion code 23-27, or a
+ * number of five digits there, x 31-38, y 39-46, z 47-54, occupancy 55-60, element 77-78; where there is no chain, the
+ * segment in 73-76. Column 21 is one of the residue or of the chain (pdb_names.h). Neighbouring fields may touch.
+ * Serial numbers, 7-11, are texts that CONECT records name atoms by. .pdbqt: the same with a charge in 71-76 and a type
+ * of AutoDock's in 78-80. */
 #include <string.h>
 
 #include "read/alternate_locations.h"
@@ -69,14 +70,23 @@ struct pdb_reading {
   uint64_t model; /* that the last atom is of */
 };
 
+/* The last column of a residue's number. The fifth digit of one past 9999 is no insertion code. */
+static size_t end_of_number(const char *text) {
+  for (size_t at = 22; at < 27; ++at) {
+    if (!is_digit(text[at])) return 26;
+  }
+  return 27;
+}
+
 static bool label_residue(const struct line_reader *reader, struct pdb_reading *reading, uint64_t copy,
                           const char *atom, struct residue_label *label, struct failure *failure) {
   const char *text = reader->text;
   const size_t length = reader->length;
   pdb_names_read(&reading->names, text, label);
   if (label->chain[0] == '\0') label_copy(label->chain, sizeof label->chain, segment_of(reader));
-  label_copy(label->number, sizeof label->number, field_in_columns(text, length, 23, 26));
-  label_copy(label->insertion, sizeof label->insertion, field_in_columns(text, length, 27, 27));
+  const size_t end = end_of_number(text);
+  label_copy(label->number, sizeof label->number, field_in_columns(text, length, 23, end));
+  label_copy(label->insertion, sizeof label->insertion, field_in_columns(text, length, end + 1, 27));
   if (label->chain[0] == '\0') pdb_names_number(&reading->names, reading->models.ends, atom, label);
   return chain_name_copy(label, copy, failure);
 }
@@ -212,8 +222,9 @@ static void plain_residue(const char *text, const uint64_t columns[3], const str
   } else {
     pdb_names_read(names, text, &plain->residue);
   }
-  word_put(plain->residue.number, word_label(columns[1] >> 24, 4));
-  if (text[26] != ' ') plain->residue.insertion[0] = text[26];
+  const size_t end = end_of_number(text);
+  word_put(plain->residue.number, word_label(columns[1] >> 24, (unsigned)(end - 22)));
+  if (end == 26 && text[26] != ' ') plain->residue.insertion[0] = text[26];
 }
 
 /* Most records, eight columns at a time: one with all columns, a chain, a usual element, decimals that end in the last
