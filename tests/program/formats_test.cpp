@@ -341,6 +341,26 @@ TEST(Cif, AlternateLocations) {
   EXPECT_EQ(input["left_out"]["alternate_locations"].number, 3);
 }
 
+// Words for letters of locations differ in any of their characters.
+TEST(Cif, WordsForLocations) {
+  const std::string head = cif_loop({"type_symbol", "auth_atom_id", "label_alt_id", "auth_comp_id", "label_asym_id",
+                                     "auth_asym_id", "auth_seq_id", "Cartn_x", "Cartn_y", "Cartn_z"});
+  const TemporaryFile file("words.cif", head +
+                                            "N N  .  ALA A A 1 0 0 0\n"
+                                            "C CA A1 ALA A A 1 9 0 0\n"
+                                            "C CA A2 ALA A A 1 18 0 0\n"  // another place of the atom
+                                            "C CB A1 ALA A A 1 27 0 0\n"
+                                            "C CB A  ALA A A 1 36 0 0\n"  // and this
+                                            "C CA A1 GLY A A 2 45 0 0\n"
+                                            "C CA A2 SER A A 2 54 0 0\n"    // under another name
+                                            "C CB A2 SER A A 2 63 0 0\n");  // of the other name
+  for (const char *location : {"first", "A"}) {
+    const Json input = run_json({"measure", file.path(), "--altloc", location})["input"];
+    EXPECT_EQ(input["balls"].number, 4) << location;
+    EXPECT_EQ(input["left_out"]["alternate_locations"].number, 4) << location;
+  }
+}
+
 // Rows follow from their values, not from lines: quotes with blanks in them, rows over two lines, two rows on a line,
 // comments, and lines with other columns in between.
 TEST(Cif, RowsAndLines) {

@@ -11,7 +11,7 @@ struct seen_location {
   char name[8]; /* of the atom; empty for the residue as a whole */
   struct residue_place place;
   char residue[8]; /* name of the residue in the first record with this name and place */
-  char letter;     /* the letter of that first record */
+  char letter[8];  /* the letter of that first record, or word */
 };
 
 enum { KEY_BYTES = offsetof(struct seen_location, residue) };
@@ -44,8 +44,9 @@ struct residue_place residue_place_of(const struct residue_label *residue, struc
 }
 
 static struct seen_location location_of(const char *name, const struct residue_place *place, const char *residue,
-                                        char letter) {
-  struct seen_location location = {.place = *place, .letter = letter};
+                                        struct field letter) {
+  struct seen_location location = {.place = *place};
+  label_copy(location.letter, sizeof location.letter, letter);
   memcpy(location.name, name, sizeof location.name);
   memcpy(location.residue, residue, sizeof location.residue);
   return location;
@@ -53,6 +54,10 @@ static struct seen_location location_of(const char *name, const struct residue_p
 
 static bool same_key(const struct seen_location *a, const struct seen_location *b) {
   return memcmp(a, b, KEY_BYTES) == 0;
+}
+
+static bool same_letter(const struct seen_location *a, const struct seen_location *b) {
+  return memcmp(a->letter, b->letter, sizeof a->letter) == 0;
 }
 
 /* Make room for one more, in the list and in the table, half of which stays empty. */
@@ -165,10 +170,11 @@ static bool show_waiting(struct alternate_locations *locations, const struct ato
   const uint32_t first = *residue_at(locations, place);
   if (first == 0) return true;
   uint32_t *const waiting = &locations->visit[first - 1].waiting;
+  const struct field letterless = {"", 0};
   for (;;) {
     struct residue_visit *const visit = &locations->visit[*waiting - 1];
     for (uint32_t k = 0; k < visit->count; ++k) {
-      const struct seen_location atom = location_of(label[visit->first + k].name, place, visit->residue, ' ');
+      const struct seen_location atom = location_of(label[visit->first + k].name, place, visit->residue, letterless);
       if (first_of(locations, &atom) == NULL) return false;
     }
     visit->count = 0;
@@ -178,21 +184,21 @@ static bool show_waiting(struct alternate_locations *locations, const struct ato
 }
 
 bool alternate_locations_keep(struct alternate_locations *locations, const struct molecule *molecule,
-                              const struct atom_label *label, struct field segment, char letter, bool *keep) {
+                              const struct atom_label *label, struct field segment, struct field letter, bool *keep) {
   static const char nobody[sizeof label->name] = "";
   const struct residue_place place = residue_place_of(label->residue, segment);
   *keep = true;
-  if (letter == ' ') return note_waiting(locations, molecule->atoms, &place, label->residue->name);
+  if (letter.length == 0) return note_waiting(locations, molecule->atoms, &place, label->residue->name);
   if (!show_waiting(locations, molecule->label, &place)) return false;
   const struct seen_location atom = location_of(label->name, &place, label->residue->name, letter);
   const struct seen_location *first_atom = first_of(locations, &atom);
   if (first_atom == NULL) return false;
-  *keep = first_atom->letter == letter;
+  *keep = same_letter(first_atom, &atom);
   const struct seen_location residue = location_of(nobody, &place, label->residue->name, letter);
   const struct seen_location *first_residue = first_of(locations, &residue);
   if (first_residue == NULL) return false;
   if (memcmp(first_residue->residue, residue.residue, sizeof residue.residue) != 0) {
-    *keep = *keep && first_residue->letter == letter;
+    *keep = *keep && same_letter(first_residue, &residue);
   }
   return true;
 }

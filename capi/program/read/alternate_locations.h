@@ -44,12 +44,13 @@ struct alternate_locations {
 /* Decide whether an atom record belongs to the molecule. Records have to come in the order of the file, and each one
  * that belongs to it has to be appended to the molecule before the next call. Atoms and residues are distinguished by
  * the label and, if the format has it, the segment.
- *   1. A record without a letter (' ') for its location always does.
+ *   1. A record without a letter for its location, an empty text, always does. .cif files may have words for letters,
+ *      of which seven characters count.
  *   2. A record with a letter does if its atom (chain, residue number, atom name) appeared first with that letter.
  *   3. If a residue has two names (a mixture), only the name of its first lettered record does.
  * False: memory is short. */
 bool alternate_locations_keep(struct alternate_locations *locations, const struct molecule *molecule,
-                              const struct atom_label *label, struct field segment, char letter, bool *keep);
+                              const struct atom_label *label, struct field segment, struct field letter, bool *keep);
 
 /* The same for a record without a letter, if the record before has none either and is of the same residue and
  * segment. */

@@ -214,7 +214,7 @@ static bool take_atom(struct cif_reading *reading, const struct residue_label *b
   take_name(row, name, &label);
   memcpy(label.decimals, reading->decimals, sizeof label.decimals);
   label.partly = reading->fractional && is_in_part(cif_without_uncertainty(cif_row_get(row, CIF_OCCUPANCY)));
-  char letter = ' ';
+  struct field letter = {"", 0};
   if (before != NULL) {
     label.residue = before;
     label.hetatm = reading->hetatm;
@@ -223,9 +223,9 @@ static bool take_atom(struct cif_reading *reading, const struct residue_label *b
     label.residue = &residue;
     label.hetatm = reading->hetatm = field_is(cif_row_get(row, CIF_GROUP), "HETATM");
     const struct field alternate = cif_row_get(row, CIF_ALTERNATE);
-    if (alternate.length > 0) letter = alternate.text[0];
+    if (alternate.length > 0 && alternate.text[0] != ' ') letter = alternate;
     if (!take_residue(row, molecule, &residue, failure)) return false;
-    const bool later = letter != ' ' && molecule->choice.location != LOCATION_FIRST;
+    const bool later = letter.length > 0 && molecule->choice.location != LOCATION_FIRST;
     if (!later &&
         !alternate_locations_keep(&reading->seen, molecule, &label, cif_row_get(row, CIF_LABEL_CHAIN), letter, &keep)) {
       return failure_of_memory(failure);
@@ -239,7 +239,7 @@ static bool take_atom(struct cif_reading *reading, const struct residue_label *b
       !molecule_add(molecule, xyz, 0.0, &label, row->line, failure)) {
     return false;
   }
-  if (letter == ' ') reading->residue = molecule->label[molecule->atoms - 1].residue;
+  if (letter.length == 0) reading->residue = molecule->label[molecule->atoms - 1].residue;
   take_extra(row, molecule_last_extra(molecule));
   return molecule->choice.location == LOCATION_FIRST || note_location(reading, before != NULL);
 }

@@ -134,10 +134,15 @@ static void move_charge(const struct line_reader *reader, char charge[7]) {
   }
 }
 
+/* The letter of an atom's location; empty: it has none. */
+static struct field letter_of(const struct line_reader *reader) {
+  return field_in_columns(reader->text, reader->length, 17, 17);
+}
+
 /* Whether the record belongs to the molecule, or may belong to it once the locations that count are known. */
 static bool keeps(struct pdb_reading *reading, const struct molecule *molecule, const struct atom_label *label,
-                  struct field segment, char letter, bool *keep) {
-  const bool later = molecule->choice.location != LOCATION_FIRST && letter != ' ';
+                  struct field segment, struct field letter, bool *keep) {
+  const bool later = molecule->choice.location != LOCATION_FIRST && letter.length > 0;
   *keep = true;
   return later || alternate_locations_keep(&reading->seen, molecule, label, segment, letter, keep);
 }
@@ -145,13 +150,12 @@ static bool keeps(struct pdb_reading *reading, const struct molecule *molecule, 
 /* Note the location of the last atom, if the user has a choice. */
 static bool note_location(const struct line_reader *reader, struct location_choice *choice,
                           const struct molecule *molecule, struct failure *failure) {
-  const char letter = reader->text[16];
+  const struct field letter = letter_of(reader);
   const struct atom_label *const label = &molecule->label[molecule->atoms - 1];
-  if (letter == ' ' && !residue_is_numbered(label->residue)) return true;
+  if (letter.length == 0 && !residue_is_numbered(label->residue)) return true;
   const struct residue_place place =
       residue_place_of(label->residue, field_in_columns(reader->text, reader->length, 73, 76));
-  return location_choice_add(choice, molecule, &place, label->name, label->residue->name,
-                             (struct field){&letter, letter == ' ' ? 0 : 1},
+  return location_choice_add(choice, molecule, &place, label->name, label->residue->name, letter,
                              field_in_columns(reader->text, reader->length, 55, 60), failure);
 }
 
@@ -185,7 +189,7 @@ static bool read_atom(const struct line_reader *reader, struct pdb_reading *read
   label.hetatm = pdb_record_is_hetatm(reader->text);
   const struct field segment = field_in_columns(reader->text, reader->length, 73, 76);
   bool keep;
-  if (!keeps(reading, molecule, &label, segment, column(reader, 17), &keep)) return failure_of_memory(failure);
+  if (!keeps(reading, molecule, &label, segment, letter_of(reader), &keep)) return failure_of_memory(failure);
   if (!keep) {
     ++molecule->left_out.alternate_locations;
     return true;
@@ -258,8 +262,8 @@ static enum line_status read_plain_atom(const struct line_reader *reader, struct
   bool keep;
   if (on) {
     alternate_locations_go_on(seen);
-  } else if (!alternate_locations_keep(seen, molecule, &label, field_in_columns(text, reader->length, 73, 76), ' ',
-                                       &keep)) {
+  } else if (!alternate_locations_keep(seen, molecule, &label, field_in_columns(text, reader->length, 73, 76),
+                                       (struct field){"", 0}, &keep)) {
     failure_of_memory(failure);
     return LINE_FAILED;
   }
