@@ -487,6 +487,46 @@ TEST(Choices, AreRefusedBySentences) {
   }
 }
 
+// Crystals name it in several ways, of which the symbol of Hermann and Mauguin counts, then its full form, then that of
+// Hall, and then the number, whatever their order.
+TEST(Choices, SymmetriesOfCrystalsHaveSeveralNames) {
+  struct Name {
+    std::string items, shown;
+  };
+  const std::string hall = "_symmetry_space_group_name_Hall '-P 2ybc'\n",
+                    full = "_space_group_name_H-M_full 'P 1 21/c 1'\n",
+                    symbol = "_symmetry_space_group_name_H-M 'P 21/c'\n", number = "_space_group_IT_number 14\n";
+  const std::vector<Name> names = {{hall, "-P 2ybc"},
+                                   {"_space_group_name_Hall '-P 1'\n", "-P 1"},
+                                   {"_space_group.name_Hall '-P 2ybc'\n", "-P 2ybc"},
+                                   {"_space_group.name_H-M_full 'P 1 21/c 1'\n", "P 1 21/c 1"},
+                                   {number, "No. 14"},
+                                   {number + hall, "-P 2ybc"},
+                                   {hall + number, "-P 2ybc"},
+                                   {hall + full, "P 1 21/c 1"},
+                                   {full + hall, "P 1 21/c 1"},
+                                   {symbol + full + hall + number, "P 21/c"},
+                                   {number + hall + full + symbol, "P 21/c"},
+                                   {"_symmetry_space_group_name_H-M ''\n" + hall, "-P 2ybc"},
+                                   {hall + "_symmetry_space_group_name_H-M ?\n", "-P 2ybc"},
+                                   {"_space_group_name_Hall 'P 1'\n", ""},
+                                   {"_space_group_name_H-M_full 'P 1'\n", ""},
+                                   {"_space_group_IT_number 1\n", ""},
+                                   {"_symmetry_space_group_name_H-M 'P 1'\n" + hall, ""}};
+  for (const Name &name : names) {
+    const TemporaryFile file("named.cif",
+                             "data_a\n_cell_length_a 10\n_cell_length_b 10\n_cell_length_c 10\n_cell_angle_alpha 90\n"
+                             "_cell_angle_beta 90\n_cell_angle_gamma 90\n" +
+                                 name.items +
+                                 "loop_\n_atom_site_label\n_atom_site_type_symbol\n_atom_site_fract_x\n"
+                                 "_atom_site_fract_y\n_atom_site_fract_z\nC1 C 0.1 0.2 0.3\n");
+    const std::string note = "hardsphere: " + file.path() + ": space group " + name.shown +
+                             ": copies by symmetry are not made, the file has no operators\n";
+    EXPECT_EQ(run_program({"measure", file.path(), "--box", "file", "--csv"}).err, name.shown.empty() ? "" : note)
+        << name.items;
+  }
+}
+
 // A symmetry that is only named fills no box, and stderr says so beside every form.
 TEST(Choices, ASymmetryThatIsOnlyNamedIsNoted) {
   const TemporaryFile named("named.pdb", "CRYST1   30.000   30.000   30.000  90.00  90.00  90.00 P 21 21 21    4\n" +

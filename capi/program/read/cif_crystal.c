@@ -5,18 +5,18 @@
 
 #include "read/number.h"
 
-static bool take_name(struct symmetry *symmetry, struct field name) {
-  label_copy(symmetry->space_group, sizeof symmetry->space_group, name);
-  return true;
-}
-
-/* If the space group has no name: its number in the International Tables. */
-static bool take_number(struct symmetry *symmetry, struct field number) {
+/* Take the name of the space group, unless there is one of an earlier kind, in the order of enum cif_item. A number of
+ * the International Tables is made a name. */
+static bool take_name(struct cif_crystal *crystal, enum cif_item item, struct field name, struct symmetry *symmetry) {
   static const char before[] = "No. ";
-  if (symmetry->space_group[0] != '\0') return true;
-  if (field_is(number, "1")) return take_name(symmetry, (struct field){"P 1", 3});
-  memcpy(symmetry->space_group, before, sizeof before);
-  label_copy(symmetry->space_group + sizeof before - 1, sizeof symmetry->space_group - sizeof before + 1, number);
+  if (name.length == 0 || (crystal->named && item > crystal->name)) return true;
+  const bool number = item == CIF_SPACE_GROUP_NUMBER, first = number && field_is(name, "1");
+  const size_t lead = number && !first ? sizeof before - 1 : 0;
+  crystal->named = true;
+  crystal->name = item;
+  memcpy(symmetry->space_group, before, lead);
+  label_copy(symmetry->space_group + lead, sizeof symmetry->space_group - lead,
+             first ? (struct field){"P 1", 3} : name);
   return true;
 }
 
@@ -25,8 +25,9 @@ bool cif_crystal_take(struct cif_crystal *crystal, enum cif_item item, const str
   static const char *const names[6] = {"a", "b", "c", "alpha", "beta", "gamma"};
   if (item == CIF_OTHER_ITEM || cif_value_is_absent(tokens)) return true;
   if (item == CIF_OPERATOR) return symmetry_take_triplet(symmetry, tokens->text, failure);
-  if (item == CIF_SPACE_GROUP) return take_name(symmetry, tokens->text);
-  if (item == CIF_SPACE_GROUP_NUMBER) return take_number(symmetry, tokens->text);
+  if (item >= CIF_SPACE_GROUP && item <= CIF_SPACE_GROUP_NUMBER) {
+    return take_name(crystal, item, tokens->text, symmetry);
+  }
   const int k = (int)item - (int)CIF_CELL_A;
   crystal->has[k] = true;
   return field_number(cif_without_uncertainty(tokens->text), names[k], &crystal->cell[k], tokens->line, failure);

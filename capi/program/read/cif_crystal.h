@@ -13,7 +13,9 @@ enum { CIF_MOST_ASSEMBLIES = 64 };
 struct cif_crystal {
   double cell[6]; /* a, b, c, alpha, beta, gamma */
   bool has[6];
-  size_t assemblies; /* of disordered atoms, which have alternative places; of each the first of its groups counts */
+  bool named;         /* the space group has a name */
+  enum cif_item name; /* the item that it is from */
+  size_t assemblies;  /* of disordered atoms, which have alternative places; of each the first of its groups counts */
   char assembly[CIF_MOST_ASSEMBLIES][8];
   char group[CIF_MOST_ASSEMBLIES][8];
 };

@@ -73,7 +73,9 @@ enum cif_item {
   CIF_CELL_ALPHA,
   CIF_CELL_BETA,
   CIF_CELL_GAMMA,
-  CIF_SPACE_GROUP,
+  CIF_SPACE_GROUP, /* by the symbol of Hermann and Mauguin; by its full form, by Hall's symbol, by its number: */
+  CIF_SPACE_GROUP_FULL,
+  CIF_SPACE_GROUP_HALL,
   CIF_SPACE_GROUP_NUMBER,
   CIF_OPERATOR,
   CIF_ITEMS,
