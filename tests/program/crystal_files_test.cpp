@@ -107,10 +107,29 @@ TEST(CrystalFiles, WhatHasNoPlaceIsLeftOut) {
   EXPECT_NE(table.find("  coordinates      fract_x\n"), std::string::npos) << table;
 }
 
+// The dictionary's value of an angle that is not given, or is said to be the usual one.
+TEST(CrystalFiles, AnglesAreRightIfNotGiven) {
+  const std::string lengths = "_cell_length_a 10\n_cell_length_b 12\n_cell_length_c 14\n";
+  const std::string atoms = sites({"label", "fract_x", "fract_y", "fract_z"}, "C1 0 0 0\nC2 0.5 0.25 0.75\n");
+  for (const char *angles : {"", "_cell_angle_alpha 90\n_cell_angle_beta 90\n_cell_angle_gamma 90\n",
+                             "_cell_angle_beta 90\n", "_cell_angle_alpha .\n_cell_angle_gamma 90.0(1)\n"}) {
+    const Json found = read(lengths + angles + atoms, {"--box", "file"});
+    const std::vector<Json> &at = found["balls"].items.at(1)["xyz"].items;
+    EXPECT_EQ(at.at(0).number, 5) << angles;
+    EXPECT_EQ(at.at(1).number, 3) << angles;
+    EXPECT_EQ(at.at(2).number, 10.5) << angles;
+    EXPECT_EQ(found["box"].items.at(4).number, 12) << angles;
+  }
+  const Json oblique = read(lengths + "_cell_angle_beta 120\n" + atoms);
+  EXPECT_NEAR(oblique["balls"].items.at(1)["xyz"].items.at(0).number, 5 - 10.5 / 2, 1e-9);
+}
+
 TEST(CrystalFiles, WhatIsMissingIsSaid) {
   const std::string atoms = sites({"label", "fract_x", "fract_y", "fract_z"}, "C1 0 0 0\n");
   EXPECT_NE(refusal(atoms).find("fractional coordinates, but no cell"), std::string::npos);
-  EXPECT_NE(refusal(cell.substr(0, cell.find("_cell_angle_gamma")) + atoms).find("no cell"), std::string::npos);
+  EXPECT_NE(refusal(cell.substr(cell.find("_cell_length_b")) + atoms).find("no cell"), std::string::npos);
+  EXPECT_NE(refusal(cell.substr(0, cell.find("_cell_angle_gamma")) + "_cell_angle_gamma ?\n" + atoms).find("no cell"),
+            std::string::npos);
   EXPECT_NE(refusal("_cell_length_a 1\n_cell_length_b 1\n_cell_length_c 1\n_cell_angle_alpha 90\n_cell_angle_beta 90\n"
                     "_cell_angle_gamma 90\n" +
                     atoms)

@@ -23,7 +23,12 @@ static bool take_name(struct cif_crystal *crystal, enum cif_item item, struct fi
 bool cif_crystal_take(struct cif_crystal *crystal, enum cif_item item, const struct cif_tokens *tokens,
                       struct symmetry *symmetry, struct failure *failure) {
   static const char *const names[6] = {"a", "b", "c", "alpha", "beta", "gamma"};
-  if (item == CIF_OTHER_ITEM || cif_value_is_absent(tokens)) return true;
+  if (item == CIF_OTHER_ITEM) return true;
+  if (cif_value_is_absent(tokens)) {
+    const bool of_cell = item >= CIF_CELL_A && item <= CIF_CELL_GAMMA;
+    if (of_cell && tokens->text.text[0] == '?') crystal->unknown[(int)item - (int)CIF_CELL_A] = true;
+    return true;
+  }
   if (item == CIF_OPERATOR) return symmetry_take_triplet(symmetry, tokens->text, failure);
   if (item >= CIF_SPACE_GROUP && item <= CIF_SPACE_GROUP_NUMBER) {
     return take_name(crystal, item, tokens->text, symmetry);
@@ -77,8 +82,10 @@ bool cif_crystal_finish(const struct cif_crystal *crystal, bool fractional, stru
                         struct failure *failure) {
   struct box_record *box = &molecule->frame.box;
   bool whole = true;
-  for (int k = 0; k < 6; ++k) whole = whole && crystal->has[k];
-  if (whole) box_from_angles(crystal->cell, crystal->cell + 3, box);
+  double angle[3];
+  for (int k = 0; k < 6; ++k) whole = whole && (crystal->has[k] || (k >= 3 && !crystal->unknown[k]));
+  for (int k = 0; k < 3; ++k) angle[k] = crystal->has[3 + k] ? crystal->cell[3 + k] : 90.0;
+  if (whole) box_from_angles(crystal->cell, angle, box);
   if (!fractional) return true;
   if (!whole) return failure_in_input(failure, 0, "fractional coordinates, but no cell: _cell_length_a and the like");
   if (!box->given) return failure_in_input(failure, 0, "fractional coordinates, but the cell is none");

@@ -13,6 +13,7 @@ enum { CIF_MOST_ASSEMBLIES = 64 };
 struct cif_crystal {
   double cell[6]; /* a, b, c, alpha, beta, gamma */
   bool has[6];
+  bool unknown[6];    /* it is "?" */
   bool named;         /* the space group has a name */
   enum cif_item name; /* the item that it is from */
   size_t assemblies;  /* of disordered atoms, which have alternative places; of each the first of its groups counts */
@@ -32,7 +33,8 @@ bool cif_crystal_fraction(struct field text, const char *name, double *value, un
 /* Decide whether an atom is kept: of an assembly of disordered atoms the group that comes first in the file counts. */
 bool cif_crystal_keeps(struct cif_crystal *crystal, const struct cif_row *row, bool *keep, struct failure *failure);
 
-/* Put the cell into the molecule, all of whose atoms are of this block. fractional: their coordinates are fractions,
- * and become angstrom; then a block without a cell fails. */
+/* Put the cell into the molecule, all of whose atoms are of this block. Angles that are not given are right ones, as
+ * the dictionary has it. fractional: their coordinates are fractions, and become angstrom; then a block without a cell
+ * fails. */
 bool cif_crystal_finish(const struct cif_crystal *crystal, bool fractional, struct molecule *molecule,
                         struct failure *failure);
