@@ -136,6 +136,36 @@ TEST(LineReader, LinesThatArePassed) {
 }
 
 // In any place of a word: every control character but a tab.
+// Ctrl-Z ends a text if nothing but ends of lines follows, wherever blocks end; elsewhere it is no text.
+TEST(LineReader, TheMarkAtTheEnd) {
+  const std::string mark = "\x1A";
+  for (const size_t length : {size_t{3}, size_t{LINE_READER_BLOCK} - 2, size_t{LINE_READER_BLOCK} - 1,
+                              size_t{LINE_READER_BLOCK}, size_t{LINE_READER_BLOCK} + 1}) {
+    for (const std::string &ending : {std::string(), std::string("\n"), std::string("\r\n"), std::string("\r")}) {
+      const std::string line(length, 'a');
+      for (const std::string &behind : {std::string(), std::string("\n"), std::string("\r\n\r\n"),
+                                        std::string(3 * size_t{LINE_READER_BLOCK}, '\n')}) {
+        std::string text = line;
+        text.append(ending).append(mark).append(behind);
+        failure why;
+        const std::vector<Line> lines = lines_of(text, &why);
+        EXPECT_EQ(why.reason, std::string());
+        ASSERT_EQ(lines.size(), 1U);
+        EXPECT_TRUE(lines[0] == (Line{line, ending}));
+        text += "a";
+        lines_of(text, &why);
+        EXPECT_NE(std::string(why.reason).find("binary data (byte 0x1A)"), std::string::npos) << why.reason;
+        EXPECT_EQ(why.line, ending.empty() ? 1U : 2U);
+      }
+    }
+  }
+  failure why;
+  EXPECT_TRUE(lines_of(mark, &why).empty());
+  EXPECT_EQ(why.reason, std::string());
+  lines_of(mark + mark, &why);
+  EXPECT_NE(why.reason[0], '\0');
+}
+
 TEST(LineReader, BytesOfNoText) {
   for (int byte = 0; byte < 256; ++byte) {
     const bool control = (byte < 0x20 && byte != '\t' && byte != '\n' && byte != '\r') || byte == 0x7F;

@@ -202,6 +202,21 @@ uint64_t line_reader_pass(struct line_reader *reader, char mark, const char **te
   return lines;
 }
 
+/* The mark with which old programs end a text, Ctrl-Z. */
+enum { END_OF_TEXT = 0x1A };
+
+/* Look behind a mark. LINE_END: nothing follows but ends of lines. */
+static enum line_status look_behind_mark(struct line_reader *reader, size_t mark, struct failure *failure) {
+  for (size_t at = mark + 1;;) {
+    for (; reader->next + at < reader->filled; ++at) {
+      const char byte = reader->block[reader->next + at];
+      if (byte != '\n' && byte != '\r') return LINE_READ;
+    }
+    const enum line_status status = refill(reader, failure);
+    if (status != LINE_READ) return status;
+  }
+}
+
 enum line_status line_reader_next(struct line_reader *reader, struct failure *failure) {
   size_t length = 0;
   reader->text = NULL;
@@ -214,7 +229,15 @@ enum line_status line_reader_next(struct line_reader *reader, struct failure *fa
     if (status != LINE_READ) return status;
   }
   ++reader->number;
-  const enum line_status status = find_end(reader, &length, failure);
+  enum line_status status = find_end(reader, &length, failure);
+  if (status == LINE_READ && reader->block[reader->next + length] == END_OF_TEXT) {
+    status = look_behind_mark(reader, length, failure);
+    if (status == LINE_END) reader->filled = reader->next + length;
+    if (status == LINE_END && length == 0) {
+      --reader->number;
+      return LINE_END;
+    }
+  }
   if (status == LINE_FAILED) return LINE_FAILED;
   size_t ending = 0;
   if (status == LINE_READ) {

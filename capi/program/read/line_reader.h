@@ -57,7 +57,8 @@ bool line_reader_keep_standard_input(struct failure *failure);
 enum line_status { LINE_READ, LINE_END, LINE_FAILED };
 
 /* Step to the next line. LINE_END: there is none. LINE_FAILED: a read error, short memory, or bytes that do not occur
- * in text files (NUL and other control characters). A byte-order mark at the start of the file is dropped. */
+ * in text files (NUL and other control characters). A byte-order mark at the start of the file is dropped, and Ctrl-Z
+ * at its end, behind which only ends of lines may follow. */
 enum line_status line_reader_next(struct line_reader *reader, struct failure *failure);
 
 /* Step over lines that are completely in the block, end with LF and do not begin with `mark`, which is no line end.
