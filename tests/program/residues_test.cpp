@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "json_outcome.hpp"
@@ -91,6 +92,89 @@ TEST(Residues, NumbersWithLeadingZeros) {
   for (size_t i = 0; i < numbers.size(); ++i) EXPECT_EQ(residues.items[i]["number"].text, numbers[i]);
   EXPECT_EQ(residues.items[3]["insertion"].text, "B");
   EXPECT_EQ(run_json({"measure", file.path(), "--by", "chain"})["chains"].items.size(), 3u);
+}
+
+// A .mol2 file with an atom for each pair of a number and a name of a residue.
+std::string mol2_of(const std::vector<std::pair<std::string, std::string>> &residues) {
+  std::string out = "@<TRIPOS>MOLECULE\nm\n" + std::to_string(residues.size()) + "\n@<TRIPOS>ATOM\n";
+  int atom = 0;
+  for (const auto &[number, name] : residues) {
+    ++atom;
+    out += std::to_string(atom) + " C " + std::to_string(9 * atom) + " 0 1 C.3 " + number + " " + name + "\n";
+  }
+  return out;
+}
+
+// Names of residues in .mol2 files end in their numbers, with an insertion code or without, or in digits of their own.
+TEST(Residues, OfNamesInMol2) {
+  struct Case {
+    std::string number, name;  // in the file
+    std::string of, is, code;  // name, number, insertion code
+  };
+  const std::vector<Case> cases = {
+      // the number before the name, and digits before it
+      {"301", "SO4301", "SO4", "301", ""},
+      {"1", "PO41", "PO4", "1", ""},
+      {"12", "TIP312", "TIP3", "12", ""},
+      {"301", "G6P301", "G6P", "301", ""},
+      {"301", "017301", "017", "301", ""},
+      {"23", "ALA23", "ALA", "23", ""},
+      // known names
+      {"101", "TP3", "TP3", "101", ""},
+      {"102", "TP3", "TP3", "102", ""},
+      {"103", "TIP3", "TIP3", "103", ""},
+      {"104", "tip3", "tip3", "104", ""},
+      {"6", "DC5", "DC5", "6", ""},
+      {"7", "RA3", "RA3", "7", ""},
+      {"8", "H2O", "H2O", "8", ""},
+      // a number of the file's own; that before the name counts residues
+      {"1", "ALA23", "ALA", "23", ""},
+      {"1", "ALA21", "ALA", "21", ""},
+      {"7", "ALA007", "ALA", "7", ""},
+      {"1", "H2O5", "H2O", "5", ""},
+      {"****", "ALA9", "ALA", "9", ""},
+      {"1", "ALA-5", "ALA", "-5", ""},
+      {"6", "ALA-6", "ALA", "-6", ""},
+      {"-7", "ALA-7", "ALA", "-7", ""},
+      {"2", "ALA-22", "ALA", "-22", ""},
+      {"1", "GLY52A", "GLY", "52", "A"},
+      {"52", "GLY52B", "GLY", "52", "B"},
+      {"1", "GLY-3C", "GLY", "-3", "C"},
+      {"1", "G52A", "G", "52", "A"},
+      // whole names
+      {"7", "ALA", "ALA", "7", ""},
+      {"-8", "ALA", "ALA", "-8", ""},
+      {"3", "G6P", "G6P", "3", ""},
+      {"3", "1B2C", "1B2C", "3", ""},
+      {"12", "12", "12", "12", ""},
+      {"2", "12", "12", "2", ""},
+      {"5", "-5", "-5", "5", ""},
+      {"8", "****", "****", "8", ""},
+      {"****", "LIG", "LIG", "****", ""},
+      {"1", "<0>", "", "", ""},
+  };
+  std::vector<std::pair<std::string, std::string>> residues;
+  for (const Case &one : cases) residues.emplace_back(one.number, one.name);
+  const TemporaryFile file("names.mol2", mol2_of(residues));
+  const Json found = run_json({"measure", file.path(), "--by", "residue"})["residues"];
+  ASSERT_EQ(found.items.size(), cases.size());
+  for (size_t i = 0; i < cases.size(); ++i) {
+    SCOPED_TRACE(cases[i].number + " " + cases[i].name);
+    EXPECT_EQ(found.items[i]["name"].text, cases[i].of);
+    EXPECT_EQ(found.items[i]["number"].text, cases[i].is);
+    EXPECT_EQ(found.items[i]["insertion"].text, cases[i].code);
+  }
+  // Selections find them so.
+  const TemporaryFile few("few.mol2", mol2_of({{"101", "TP3"}, {"301", "SO4301"}, {"1", "ALA-5"}, {"2", "GLY52A"}}));
+  const std::vector<std::pair<std::vector<std::string>, std::string>> selections = {
+      {{"--no-water"}, "SO4 ALA GLY "}, {{"--only", "residue:-5"}, "ALA "}, {{"--only", "residue:52A"}, "GLY "}};
+  for (const auto &[options, names] : selections) {
+    std::vector<std::string> arguments = {"measure", few.path(), "--by", "residue"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    std::string left;
+    for (const Json &residue : run_json(arguments)["residues"].items) left += residue["name"].text + " ";
+    EXPECT_EQ(left, names);
+  }
 }
 
 // Crambin has 46 residues, numbers 10A and 10B among them, but no 11. Their sums are those of the balls that the CSV

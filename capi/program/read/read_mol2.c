@@ -1,7 +1,8 @@
 /* .mol2, of Tripos: sections that begin with "@<TRIPOS>" and a name. Read are
  *   MOLECULE   a name, the numbers of atoms, bonds and more, a type, and NO_CHARGES or where charges come from: each
  *              begins a model
- *   ATOM       id name x y z type [number residue [charge ..]], where a name may have blanks
+ *   ATOM       id name x y z type [number residue [charge ..]], where a name may have blanks, and that of the residue
+ *              may end in its number
  *   BOND       id atom atom type
  * Lines that begin with '#' are comments. */
 #include <inttypes.h>
@@ -11,6 +12,7 @@
 #include "read/characters.h"
 #include "read/number.h"
 #include "read/read_molecule.h"
+#include "read/residue_kinds.h"
 
 enum { USUAL_COLUMNS = 9, MOST_BLANKS = 3, MOST_COLUMNS = USUAL_COLUMNS + MOST_BLANKS };
 
@@ -21,14 +23,66 @@ struct reading {
   uint64_t announced, found, counts_line;
 };
 
-/* "ALA12", or a name without a number, which is the number before it then; "<0>" where there is none. */
+/* How many digits a text ends in. */
+static size_t digits_at_end(struct field text) {
+  size_t digits = 0;
+  while (digits < text.length && is_digit(text.text[text.length - 1 - digits])) ++digits;
+  return digits;
+}
+
+static bool is_known(struct field residue) {
+  struct residue_label label;
+  label_copy(label.name, sizeof label.name, residue);
+  return residue_kind_of(label.name) != RESIDUE_OTHER;
+}
+
+/* Whether a name ends in the residue's number, as SO4301 does in 301. ALA21 does not in 1, a running number that it has
+ * by chance: without it ALA2 would be left, and ALA is known. Digits alone are a name from three on. */
+static bool ends_in_number(struct field name, struct field number) {
+  if (number.length == 0 || number.length >= name.length || digits_at_end(number) < number.length) return false;
+  const struct field rest = {name.text, name.length - number.length};
+  if (memcmp(rest.text + rest.length, number.text, number.length) != 0) return false;
+  const struct field letters = {name.text, name.length - digits_at_end(name)};
+  if (letters.length == rest.length) return rest.text[rest.length - 1] != '-';
+  if (letters.length == 0) return rest.length >= 3;
+  return letters.text[letters.length - 1] != '-' && (is_known(rest) || !is_known(letters));
+}
+
+/* Take a number and an insertion code off the end of a name: ALA23, ALA-5, GLY52A. False: there is none, or nothing
+ * before it. Three characters that end in a letter are a name, G6P. */
+static bool strip_number(struct field *name, struct field *number, struct field *code) {
+  const bool coded = name->length > 3 && is_letter(name->text[name->length - 1]);
+  struct field rest = {name->text, name->length - (coded ? 1 : 0)};
+  size_t digits = digits_at_end(rest);
+  rest.length -= digits;
+  if (digits == 0 || rest.length == 0) return false;
+  if (rest.text[rest.length - 1] == '-') {
+    --rest.length;
+    ++digits;
+  }
+  if (rest.length == 0) return false;
+  for (size_t i = 0; coded && i < rest.length; ++i) {
+    if (!is_letter(rest.text[i])) return false;
+  }
+  *number = (struct field){rest.text + rest.length, digits};
+  *code = (struct field){number->text + digits, coded ? 1 : 0};
+  *name = rest;
+  return true;
+}
+
+/* The name of a residue mostly ends in its number, but digits belong to many names as well. The number before the name
+ * may be that number, or count the residues of the file. "<0>": there is none. */
 static void take_residue(struct residue_label *residue, struct field number, struct field name) {
-  size_t letters = name.length;
-  while (letters > 0 && is_digit(name.text[letters - 1])) --letters;
-  if (letters == 0 || name.text[0] == '<') return;
-  label_copy(residue->name, sizeof residue->name, (struct field){name.text, letters});
-  const struct field digits = {name.text + letters, name.length - letters};
-  label_copy(residue->number, sizeof residue->number, digits.length > 0 ? digits : number);
+  struct field code = {"", 0};
+  if (name.text[0] == '<') return;
+  if (ends_in_number(name, number)) {
+    name.length -= number.length;
+  } else if (!is_known(name)) {
+    strip_number(&name, &number, &code); /* else the whole name, and the number before it */
+  }
+  label_copy(residue->name, sizeof residue->name, name);
+  label_copy(residue->number, sizeof residue->number, number);
+  label_copy(residue->insertion, sizeof residue->insertion, code);
 }
 
 static bool is_decimal(struct field field) {
