@@ -37,13 +37,16 @@ static bool is_known(struct field residue) {
 }
 
 /* Whether a name ends in the residue's number, as SO4301 does in 301. ALA21 does not in 1, a running number that it has
- * by chance: without it ALA2 would be left, and ALA is known. Digits alone are a name from three on. */
+ * by chance: without it ALA2 would be left, and ALA is known. Nor does TP3 in 3: it is water, and TP is unknown. Digits
+ * alone are a name from three on. */
 static bool ends_in_number(struct field name, struct field number) {
   if (number.length == 0 || number.length >= name.length || digits_at_end(number) < number.length) return false;
   const struct field rest = {name.text, name.length - number.length};
   if (memcmp(rest.text + rest.length, number.text, number.length) != 0) return false;
   const struct field letters = {name.text, name.length - digits_at_end(name)};
-  if (letters.length == rest.length) return rest.text[rest.length - 1] != '-';
+  if (letters.length == rest.length) {
+    return rest.text[rest.length - 1] != '-' && (is_known(rest) || !is_known(name));
+  }
   if (letters.length == 0) return rest.length >= 3;
   return letters.text[letters.length - 1] != '-' && (is_known(rest) || !is_known(letters));
 }
