@@ -201,7 +201,9 @@ class owner {
   template <class... Arguments, class... Given>
   void run(int32_t (*function)(hsp_workspace *, Arguments...), Given &&...given) {
     computed_ &= ~made_otherwise(function);
-    check(function(&work_, std::forward<Given>(given)...));
+    const int32_t status = function(&work_, std::forward<Given>(given)...);
+    if (status != HSP_OK) computed_ = 0;  // a handle lost its results; all are computed again when they are asked for
+    check(status);
   }
 
  protected:
@@ -430,7 +432,6 @@ class box : public owner {
     const int32_t status = hsp_workspace_periodic_with(&work_, balls.n, balls.xyz, balls.radius,
                                                        right ? all.data() : nullptr, &request, &bad);
     check(status, bad);
-    has_areas_alone_ = areas_alone_;
     return *this;
   }
 
@@ -448,9 +449,16 @@ class box : public owner {
 
   box_measures measure() {
     const uint32_t n = size();
-    box_measures found{{}, std::vector<double>(n), std::vector<double>(has_areas_alone_ ? 0 : n)};
-    check(hsp_periodic_measure(periodic(), &found.total, found.area.data(),
-                               has_areas_alone_ ? nullptr : found.share_volume.data(), n, nullptr));
+    box_measures found{{}, std::vector<double>(n), std::vector<double>(n)};
+    const auto take = [&](double *share) {
+      return hsp_periodic_measure(periodic(), &found.total, found.area.data(), share, n, nullptr);
+    };
+    int32_t status = take(found.share_volume.data());
+    if (status == HSP_E_STATE) {  // there are areas alone, or nothing
+      found.share_volume.clear();
+      status = take(nullptr);
+    }
+    check(status);
     return found;
   }
   box_gradients gradient(const energy_terms &terms) {
@@ -462,8 +470,7 @@ class box : public owner {
   }
 
  private:
-  bool areas_alone_ = false;      // of the next set
-  bool has_areas_alone_ = false;  // of the last one
+  bool areas_alone_ = false;  // of the next set
 };
 
 #endif  // HSP_HAS_BOXES

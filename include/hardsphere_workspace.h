@@ -112,6 +112,14 @@ static inline int32_t hsp_workspace_allocate(void **memory, size_t bytes) {
   return *memory != NULL ? HSP_OK : HSP_E_MEMORY;
 }
 
+/* A handle could not be made. The next one has limits of its own, and the next balls a model of their own size, so that
+ * a small set is not refused for a large one. */
+static inline int32_t hsp_workspace_not_made(hsp_workspace *work, void *limits, size_t size, int32_t status) {
+  memset(limits, 0, size);
+  work->most_balls = 0;
+  return status;
+}
+
 /* Drops what was computed from a handle, before the memory of that handle is given back. */
 static inline void hsp_workspace_drop_boundary(hsp_workspace *work) {
   if (work->boundary != NULL) (void)hsp_boundary_compute(work->boundary, NULL, NULL);
@@ -213,7 +221,8 @@ static inline int32_t hsp_workspace_make_boundary(hsp_workspace *work) {
   if (status == HSP_OK) {
     status = hsp_boundary_init(work->memory[1], bytes, &work->boundary_limits, &work->boundary);
   }
-  return status;
+  if (status == HSP_OK) return status;
+  return hsp_workspace_not_made(work, &work->boundary_limits, sizeof work->boundary_limits, status);
 }
 
 static inline int32_t hsp_workspace_ready_boundary(hsp_workspace *work) {
@@ -243,7 +252,8 @@ static inline int32_t hsp_workspace_make_topology(hsp_workspace *work) {
   if (status == HSP_OK) {
     status = hsp_topology_init(work->memory[2], bytes, &work->topology_limits, &work->topology);
   }
-  return status;
+  if (status == HSP_OK) return status;
+  return hsp_workspace_not_made(work, &work->topology_limits, sizeof work->topology_limits, status);
 }
 
 static inline int32_t hsp_workspace_ready_topology(hsp_workspace *work) {
@@ -270,7 +280,8 @@ static inline int32_t hsp_workspace_make_view(hsp_workspace *work) {
   if (status == HSP_OK) {
     status = hsp_view_init(work->memory[3], bytes, &work->view_limits, &work->view);
   }
-  return status;
+  if (status == HSP_OK) return status;
+  return hsp_workspace_not_made(work, &work->view_limits, sizeof work->view_limits, status);
 }
 
 static inline int32_t hsp_workspace_ready_view(hsp_workspace *work) {
@@ -301,7 +312,8 @@ static inline int32_t hsp_workspace_make_surface(hsp_workspace *work) {
   if (status == HSP_OK) {
     status = hsp_surface_init(work->memory[4], bytes, &work->surface_limits, &work->surface);
   }
-  return status;
+  if (status == HSP_OK) return status;
+  return hsp_workspace_not_made(work, &work->surface_limits, sizeof work->surface_limits, status);
 }
 
 static inline int32_t hsp_workspace_ready_surface(hsp_workspace *work) {
@@ -327,7 +339,8 @@ static inline int32_t hsp_workspace_make_mesh(hsp_workspace *work) {
   if (status == HSP_OK) {
     status = hsp_mesh_init(work->memory[5], bytes, &work->mesh_limits, &work->mesh);
   }
-  return status;
+  if (status == HSP_OK) return status;
+  return hsp_workspace_not_made(work, &work->mesh_limits, sizeof work->mesh_limits, status);
 }
 #endif
 
@@ -341,7 +354,8 @@ static inline int32_t hsp_workspace_make_map(hsp_workspace *work) {
   if (status == HSP_OK) {
     status = hsp_map_init(work->memory[6], bytes, &work->map_limits, &work->map);
   }
-  return status;
+  if (status == HSP_OK) return status;
+  return hsp_workspace_not_made(work, &work->map_limits, sizeof work->map_limits, status);
 }
 
 static inline int32_t hsp_workspace_ready_map(hsp_workspace *work) {
@@ -371,7 +385,8 @@ static inline int32_t hsp_workspace_make_contacts(hsp_workspace *work) {
   if (status == HSP_OK) {
     status = hsp_contacts_init(work->memory[7], bytes, &work->contacts_limits, &work->contacts);
   }
-  return status;
+  if (status == HSP_OK) return status;
+  return hsp_workspace_not_made(work, &work->contacts_limits, sizeof work->contacts_limits, status);
 }
 
 static inline int32_t hsp_workspace_ready_contacts(hsp_workspace *work) {
@@ -398,7 +413,8 @@ static inline int32_t hsp_workspace_make_cells(hsp_workspace *work) {
   if (status == HSP_OK) {
     status = hsp_cells_init(work->memory[8], bytes, &work->cells_limits, &work->cells);
   }
-  return status;
+  if (status == HSP_OK) return status;
+  return hsp_workspace_not_made(work, &work->cells_limits, sizeof work->cells_limits, status);
 }
 
 static inline int32_t hsp_workspace_ready_cells(hsp_workspace *work) {
@@ -427,7 +443,8 @@ static inline int32_t hsp_workspace_make_paths(hsp_workspace *work) {
   if (status == HSP_OK) {
     status = hsp_paths_init(work->memory[9], bytes, &work->paths_limits, &work->paths);
   }
-  return status;
+  if (status == HSP_OK) return status;
+  return hsp_workspace_not_made(work, &work->paths_limits, sizeof work->paths_limits, status);
 }
 
 static inline int32_t hsp_workspace_ready_paths(hsp_workspace *work) {
@@ -456,7 +473,8 @@ static inline int32_t hsp_workspace_make_pores(hsp_workspace *work) {
   if (status == HSP_OK) {
     status = hsp_pores_init(work->memory[10], bytes, &work->pores_limits, &work->pores);
   }
-  return status;
+  if (status == HSP_OK) return status;
+  return hsp_workspace_not_made(work, &work->pores_limits, sizeof work->pores_limits, status);
 }
 
 static inline int32_t hsp_workspace_ready_pores(hsp_workspace *work) {
@@ -486,7 +504,8 @@ static inline int32_t hsp_workspace_make_moving(hsp_workspace *work) {
   if (status == HSP_OK) {
     status = hsp_moving_init(work->memory[11], bytes, &work->moving_limits, &work->moving);
   }
-  return status;
+  if (status == HSP_OK) return status;
+  return hsp_workspace_not_made(work, &work->moving_limits, sizeof work->moving_limits, status);
 }
 
 static inline int32_t hsp_workspace_ready_moving(hsp_workspace *work) {
@@ -516,7 +535,8 @@ static inline int32_t hsp_workspace_make_periodic(hsp_workspace *work) {
   if (status == HSP_OK) {
     status = hsp_periodic_init(work->memory[12], bytes, &work->periodic_limits, &work->periodic);
   }
-  return status;
+  if (status == HSP_OK) return status;
+  return hsp_workspace_not_made(work, &work->periodic_limits, sizeof work->periodic_limits, status);
 }
 
 static inline int32_t hsp_workspace_ready_periodic(hsp_workspace *work, uint32_t n) {

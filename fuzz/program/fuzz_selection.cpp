@@ -60,7 +60,7 @@ std::optional<long long> number(const std::string &text) {
   const std::string digits = text.substr(0, 1) == "-" ? text.substr(1) : text;
   if (digits.empty() || digits.find_first_not_of("0123456789") != std::string::npos) return std::nullopt;
   const size_t first = std::min(digits.find_first_not_of('0'), digits.size() - 1);
-  if (digits.size() - first > 9) return text[0] == '-' ? -1000000000 : 1000000000;
+  if (digits.size() - first > 12) return text[0] == '-' ? -1000000000000 : 1000000000000;
   return std::atoll(text.c_str());
 }
 

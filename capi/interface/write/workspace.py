@@ -127,7 +127,8 @@ def make_rows(interface):
                  "  if (status == HSP_OK) {",
                  f"    status = hsp_{noun}_init(work->memory[{place}], bytes, &work->{noun}_limits, &work->{noun});",
                  "  }",
-                 "  return status;",
+                 "  if (status == HSP_OK) return status;",
+                 f"  return hsp_workspace_not_made(work, &work->{noun}_limits, sizeof work->{noun}_limits, status);",
                  "}", ""]
         source = first_limits_from(interface, noun)
         if source:

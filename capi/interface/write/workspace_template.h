@@ -42,6 +42,14 @@ static inline int32_t hsp_workspace_allocate(void **memory, size_t bytes) {
   return *memory != NULL ? HSP_OK : HSP_E_MEMORY;
 }
 
+/* A handle could not be made. The next one has limits of its own, and the next balls a model of their own size, so that
+ * a small set is not refused for a large one. */
+static inline int32_t hsp_workspace_not_made(hsp_workspace *work, void *limits, size_t size, int32_t status) {
+  memset(limits, 0, size);
+  work->most_balls = 0;
+  return status;
+}
+
 /* Drops what was computed from a handle, before the memory of that handle is given back. */
 /* <drop> */
 

@@ -35,13 +35,13 @@ static bool add_item(struct selection *selection, const struct selection_item *i
          failure_of_memory(failure);
 }
 
-/* A whole number at the beginning of the text; its length, or 0. */
+/* A whole number at the beginning of the text; its length, or 0. More than twelve digits are all the same number. */
 static size_t whole_number(struct field text, int64_t *value) {
   size_t at = text.length > 0 && text.text[0] == '-' ? 1 : 0;
   const size_t begin = at;
   *value = 0;
   while (at < text.length && is_digit(text.text[at])) {
-    if (*value < INT64_C(1000000000000)) *value = 10 * *value + (text.text[at] - '0');
+    *value = *value < INT64_C(100000000000) ? 10 * *value + (text.text[at] - '0') : INT64_C(1000000000000);
     ++at;
   }
   if (at == begin) return 0;

@@ -208,6 +208,17 @@ void test_runs() {
   work.run(hsp_workspace_areas, 2U, lens.data(), ones.data(), 0.0, &totals, ends.data());
   EXPECT(work.size() == 2 && near(work.measure().total.area, totals.area));
 
+  // A computation that fails leaves a handle without results. They are computed again when they are asked for.
+  const hsp_executor stops{sizeof stops, 1, nullptr, nullptr, [](void *) { return 1; }};
+  std::vector<double> many;
+  for (int i = 0; i < 3000; ++i) many.insert(many.end(), {1.0 * i, 0, 0});
+  work.set(many, std::vector<double>(3000, 1));
+  EXPECT(hardsphere::all(hsp_contacts_get_pairs, work.contacts()).size() == 2999);
+  work->executor = &stops;
+  EXPECT(caught([&] { work.run(hsp_workspace_contacts); }).status() == HSP_E_STOPPED);
+  work->executor = nullptr;
+  EXPECT(hardsphere::all(hsp_contacts_get_pairs, work.contacts()).size() == 2999);
+
   const std::vector<double> apart = {0, 0, 0, 9, 0, 0};
   work.set(apart, ones);
   EXPECT(near(work.smooth_gradient({.tension = 1}).energy.area, 8 * pi));
@@ -262,6 +273,8 @@ void test_boxes() {
   EXPECT(near(other.gradient({.tension = 1}).d_strain[4], 2 * pi * 0.6, 1e-7));
   other.areas_alone(false);  // from the next set on: until then there are no shares
   EXPECT(near(other.measure().total.area, area, 1e-8) && other.measure().share_volume.empty());
+  other.run(hsp_workspace_periodic, 1U, centre.data(), radius.data(), turned.data(), nullptr, nullptr);
+  EXPECT(near(other.measure().share_volume[0], other.measure().total.volume));
   other.set(centre, radius, lengths);
   EXPECT(hardsphere::all(hsp_periodic_query_neighbours, other.periodic(), 0U).size() == 2);
   hsp_pores_counts counts{};

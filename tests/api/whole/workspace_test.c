@@ -2,12 +2,15 @@
  * The address sanitizer sees what is not given back. */
 #include <limits.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 
 /* The workspace has so many allocations left. */
 static unsigned allocations_left = UINT_MAX;
+/* The most bytes that it gets at a time. */
+static size_t most_bytes = SIZE_MAX;
 static void *limited_malloc(size_t bytes) {
-  if (allocations_left == 0) return NULL;
+  if (allocations_left == 0 || bytes > most_bytes) return NULL;
   --allocations_left;
   return malloc(bytes);
 }
@@ -300,6 +303,35 @@ static void without_memory(void) {
   CHECK(left > 10);
 }
 
+/* Where there is no memory for many balls, or for a fine mesh, there is some for few afterwards. */
+static void few_after_too_many(void) {
+  static ball_set few;
+  static double xyz[3 * 1500], radius[1500];
+  uint32_t i;
+  hsp_workspace work = {0};
+  const double box[9] = {2000, 0, 0, 0, 50, 0, 0, 0, 50};
+  ball_set_start(&few, "two balls", 1e-8);
+  ball_set_add(&few, 0, 0, 0, 1);
+  ball_set_add(&few, 1, 0, 0, 1);
+  for (i = 0; i < 1500; ++i) {
+    xyz[3 * i] = 1.0 + i;
+    radius[i] = 1;
+  }
+  check_scene("few after too many");
+  most_bytes = 1000000;
+  CHECK_EQUAL(hsp_workspace_set(&work, 1500, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_boundary(&work), HSP_E_MEMORY);
+  CHECK_EQUAL(hsp_workspace_cells(&work), HSP_E_MEMORY);
+  CHECK_EQUAL(hsp_workspace_moving(&work, NULL, 1, 0, HSP_TANGENT_OVERLAP, NULL), HSP_E_MEMORY);
+  CHECK_EQUAL(hsp_workspace_periodic(&work, 1500, xyz, radius, box, NULL, NULL), HSP_E_MEMORY);
+  CHECK_EQUAL(compute_all(&work, &few), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_periodic(&work, few.n, few.xyz, few.radius, box, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_mesh(&work, 0, 0.01), HSP_E_MEMORY);
+  CHECK_EQUAL(hsp_workspace_mesh(&work, 0, 1), HSP_OK);
+  most_bytes = SIZE_MAX;
+  hsp_workspace_free(&work);
+}
+
 /* Boxes of m x m x m copies of two balls that meet across a face: they have m^3 times everything, whatever there was
  * before, and the model is not touched. */
 static void boxes(void) {
@@ -412,5 +444,6 @@ int main(void) {
   boxes();
   very_many();
   without_memory();
+  few_after_too_many();
   return check_report();
 }
