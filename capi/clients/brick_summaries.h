@@ -26,6 +26,7 @@ static inline int32_t brick_summary_make(const hsp_boundary *boundary, const hsp
     summary->byte = (uint8_t *)malloc(summary->bytes);
     status = summary->byte != NULL ? HSP_OK : HSP_E_MEMORY;
   }
+  if (summary->byte == NULL) summary->bytes = 0;
   shorter = status == HSP_OK ? (uint8_t *)realloc(summary->byte, summary->bytes) : NULL;
   if (shorter != NULL) summary->byte = shorter;
   return status;

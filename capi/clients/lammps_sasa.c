@@ -34,7 +34,12 @@ static void add_forces(void *pointer, int64_t step, int own, int *tags, double *
   c->own = (uint32_t)own;
   if (all > c->room) {
     c->room = all + all / 4;
-    c->radius = realloc(c->radius, c->room * sizeof(double));
+    double *const larger = realloc(c->radius, c->room * sizeof(double));
+    if (larger == NULL) {
+      fprintf(stderr, "lammps_sasa: %s\n", hsp_status_text(HSP_E_MEMORY));
+      MPI_Abort(MPI_COMM_WORLD, 1);
+    }
+    c->radius = larger;
   }
   for (uint32_t i = 0; i < all; ++i) c->radius[i] = radius_of_type[type[i]];
   if (own > 0) { /* else there is no x[0] */
@@ -191,7 +196,7 @@ int main(int count, char **arguments) {
   int rank;
   MPI_Init(&count, &arguments);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  if (count < 3) {
+  if (count < 3 || (arguments[2][0] == 'r' && count < 5)) {
     fprintf(stderr, "usage: lammps_sasa TENSION bits | quotients | run DT STEPS\n");
     return 2;
   }

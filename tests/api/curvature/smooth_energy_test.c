@@ -1,9 +1,17 @@
 /* The client capi/clients/smooth_energy.h: a scan of two balls from one inside the other to apart, against closed forms
- * of value, slope and second derivative; and centres between the points of the lattice. */
-#include "../../../capi/clients/smooth_energy.h"
-
+ * of value, slope and second derivative; centres between the points of the lattice; and no memory. */
 #include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
+
+static size_t most_bytes = SIZE_MAX;
+static void *limited_malloc(size_t bytes) {
+  return bytes <= most_bytes ? malloc(bytes) : NULL;
+}
+#define malloc limited_malloc
+#include "../../../capi/clients/smooth_energy.h"
+#undef malloc
 
 #include "check.h"
 #include "vectors.h"
@@ -67,7 +75,28 @@ static void check_rounding_undone(double window) {
   smooth_energy_free(&coarse);
 }
 
+/* Without memory there are no balls, and afterwards those that come. */
+static void check_memory(void) {
+  const double xyz[6] = {0, 0, 0, 1, 0, 0}, radius[2] = {1, 1}, area = 6 * pi;
+  smooth_energy surface = {.step = 1e-8, .largest_radius = 3};
+  double value, gradient[6];
+  int k;
+  check_scene("no memory");
+  for (k = 0; k < 2; ++k) {
+    CHECK_EQUAL(smooth_energy_set(&surface, 1, xyz, radius), HSP_OK);
+    most_bytes = 10;
+    CHECK_EQUAL(smooth_energy_set(&surface, 2, xyz, radius), HSP_E_MEMORY);
+    most_bytes = SIZE_MAX;
+    CHECK(surface.n == 0 && smooth_energy_gradient(&surface, &value, gradient) != HSP_OK);
+    CHECK_EQUAL(smooth_energy_set(&surface, 2, xyz, radius), HSP_OK);
+    CHECK_EQUAL(smooth_energy_gradient(&surface, &value, gradient), HSP_OK);
+    CHECK_NEAR(value, area, 1e-12);
+  }
+  smooth_energy_free(&surface);
+}
+
 int main(void) {
+  check_memory();
   check_scan(1.2, 1, 1, 0.0625);
   check_scan(1.5, 1.25, 0.5, 0.125);
   check_scan(1, 0.75, -0.5, 0.0625);
