@@ -248,8 +248,9 @@
  *   must not be NULL. Functions that return an id, such as hsp_topology_onext, return HSP_NONE for both. Texts that
  *   functions return are constants. If more than one status fits, the first of these is returned: statuses of handles,
  *   in the order of arguments; HSP_E_VERSION; HSP_E_ARGUMENT; HSP_E_STATE; statuses of values, such as HSP_E_ID,
- *   HSP_E_NOT_FINITE, HSP_E_NEGATIVE and HSP_E_RANGE; HSP_E_CAPACITY, or HSP_E_MEMORY. hsp_model_set returns
- *   HSP_E_CAPACITY for a model without room for all balls before it looks at values.
+ *   HSP_E_NOT_FINITE, HSP_E_NEGATIVE and HSP_E_RANGE; HSP_E_CAPACITY, or HSP_E_MEMORY. HSP_E_CAPACITY comes before
+ *   statuses of values from hsp_model_set and hsp_areas without room for all balls, and from hsp_mesh_compute without
+ *   room for all balls and curves. Handles inside options or requests come behind versions and arguments.
  *
  * HANDLES AFTER A FAILURE
  *   hsp_X_set and hsp_X_compute replace what the handle held, whether they succeed or not. If one fails, for whatever

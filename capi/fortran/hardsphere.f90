@@ -321,8 +321,9 @@ module hardsphere
     integer(c_int32_t) :: struct_size = 8_c_int32_t + 3 * pointer_bytes  ! sizeof(hsp_executor)
     integer(c_int32_t) :: workers = 0_c_int32_t                          ! how many threads there are for the tasks
     type(c_ptr) :: context = c_null_ptr                                  ! or NULL: handed to run and proceed
-    ! Calls task(data, 0) to task(data, tasks - 1), each once, in any order and on any threads with 16 KiB of stack or
-    ! more. Returns 0 when all have returned, or anything else if it could not call them all. By then everything that
+    ! Calls task(data, 0) to task(data, tasks - 1), each once, in any order and on any threads that have 16 KiB of
+    ! stack left for it, and what proceed takes. So a thread of 24 KiB suffices, where the system's own part is less
+    ! than 8. Returns 0 when all have returned, or anything else if it could not call them all. By then everything that
     ! tasks wrote must be visible to the caller's thread, as after a join. tasks may be larger than workers, and is at
     ! most HSP_MAX_WORKERS. Must not be NULL with more than one worker. The loop runs in the caller's floating-point
     ! environment, and tasks in the library's, whatever that of their thread is (FLOATING POINT in hardsphere.h).
@@ -1329,7 +1330,7 @@ module hardsphere
     integer(c_int32_t) :: struct_size = 16_c_int32_t + 2 * pointer_bytes  ! sizeof(hsp_pores_options)
     integer(c_int32_t) :: reserved                                        ! 0
     ! radius of the narrowest probe of interest, length, rounded down to the lattice; may be negative, down to minus
-    ! the largest radius; default 0: a gate that not even a point passes is closed
+    ! the largest radius; above 2^51 lattice steps these; default 0: a gate that not even a point passes is closed
     real(c_double) :: floor
     ! or NULL: its proceed is asked whether to go on; its threads share no work
     type(c_ptr) :: executor

@@ -114,8 +114,8 @@ typedef struct hsp_boundary_request {
  *  atoms. The boundary then answers hsp_boundary_get_measures, hsp_boundary_get_gradient, hsp_boundary_get_derivatives,
  *  hsp_boundary_get_area_row, hsp_boundary_get_area_rows and hsp_boundary_get_hessian_product (hessian.h) alone, for
  *  these balls; all other functions return HSP_E_STATE. So do these if asked for terms of the volume, for first
- *  derivatives of the volume, or with a pressure, as the volume takes all balls; hsp_totals.volume and
- *  hsp_energy.volume are NaN. hsp_energy.value and .area are sums over the selected balls. But d_centre and d_radius of
+ *  derivatives of the volume, or with a pressure, as the volume takes all balls, but for second derivatives, which take
+ *  a ball's own arcs; hsp_totals.volume and hsp_energy.volume are NaN. hsp_energy.value and .area are sums over the selected balls. But d_centre and d_radius of
  *  a selected ball are derivatives of the energy of all balls; those of the other balls are 0, and d_probe is the sum
  *  of these d_radius. So d_centre is not the gradient of value; d_centre of several selections that make up all balls
  *  adds up to the gradient of the whole.

@@ -30,8 +30,9 @@ typedef struct hsp_executor {
   uint32_t struct_size; /**< sizeof(hsp_executor) */
   uint32_t workers;     /**< how many threads there are for the tasks */
   void *context;        /**< or NULL: handed to run and proceed */
-  /** Calls task(data, 0) to task(data, tasks - 1), each once, in any order and on any threads with 16 KiB of stack or
-   *  more. Returns 0 when all have returned, or anything else if it could not call them all. By then everything that
+  /** Calls task(data, 0) to task(data, tasks - 1), each once, in any order and on any threads that have 16 KiB of stack
+   *  left for it, and what proceed takes. So a thread of 24 KiB suffices, where the system's own part is less than 8.
+   *  Returns 0 when all have returned, or anything else if it could not call them all. By then everything that
    *  tasks wrote must be visible to the caller's thread, as after a join. tasks may be larger than workers, and is at
    *  most HSP_MAX_WORKERS. Must not be NULL with more than one worker. The loop runs in the caller's floating-point
    *  environment, and tasks in the library's, whatever that of their thread is (FLOATING POINT in hardsphere.h). */

@@ -324,7 +324,7 @@ typedef struct hsp_periodic_gradient_outputs {
 
 /** An energy and its derivatives by the balls and by the box, as hsp_boundary_get_gradient. request may be NULL: all
  *  defaults. When a ball moves or grows all of its images do. On failure nothing but outputs->needed and
- *  outputs->first_bad is written.
+ *  outputs->first_bad is written, except on HSP_E_EXECUTOR and HSP_E_STOPPED.
  *
  *  With forces F = - dE/dc and distances x of pairs, d_strain [3 p + q] = dE/deps_pq = - sum F_p x_q. Hence E adds
  *    d_strain / V_box             to the stress, positive where the box pulls itself together (ASE)

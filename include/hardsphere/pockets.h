@@ -220,8 +220,8 @@ typedef struct hsp_pore_pocket_size {
  *  Cost: that of hsp_pores_find_regions, and of hsp_pores_locate for each maximum that is wider than the narrow probe.
  *  @param[in,out] pores    with pockets that were found; its memory is used
  *  @param[in,out] plugged  its regions become those that hsp_pores_find_regions finds. On HSP_E_ARGUMENT,
- *                          HSP_E_CAPACITY and HSP_E_STATE nothing changes; on other failures it has no regions and no
- *                          leaks. May be `pores` itself if no ball is grown and no mouth has a plug
+ *                          HSP_E_CAPACITY, HSP_E_STATE and HSP_E_VERSION nothing changes, nor where its floor is
+ *                          refused; on other failures it has no regions and no leaks. May be `pores` itself if no ball is grown and no mouth has a plug
  *  @param[in] boundary     of the model that `plugged` were computed of; NULL in a box
  *  @param[out] out         a record for each pocket, or NULL with capacity = 0
  *  @param[in] capacity     how many records there is room for

@@ -91,7 +91,8 @@ static void options_init(void) {
 
 static void null_pointers(void) {
   uint32_t bad = 12345;
-  CHECK_EQUAL(hsp_model_set(NULL, BALLS, good_xyz, good_radius, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_model_set(NULL, BALLS, good_xyz, good_radius, NULL, &bad), HSP_E_ARGUMENT);
+  CHECK_EQUAL(bad, HSP_NONE);
   check_refused(BALLS, NULL, good_radius, NULL, HSP_E_ARGUMENT, HSP_NONE);
   check_refused(BALLS, good_xyz, NULL, NULL, HSP_E_ARGUMENT, HSP_NONE);
   CHECK_EQUAL(hsp_model_set(model, 0, NULL, NULL, NULL, &bad), HSP_OK);

@@ -53,7 +53,7 @@ int32_t hsp_periodic_compute_with(hsp_periodic *periodic, uint32_t n, const doub
                                   const double *box, const hsp_periodic_request *request, hsp_periodic_limits *limits,
                                   uint32_t *first_bad) {
   LibraryArithmetic arithmetic;
-  if (const int32_t status = check_handle(periodic); status != HSP_OK) return status;
+  if (const int32_t status = check_handle(periodic); status != HSP_OK) return name_none(status, first_bad);
   periodic->complete = false;
   uint32_t ignored = 0;
   uint32_t &bad = first_bad != nullptr ? *first_bad : ignored;

@@ -15,7 +15,7 @@ void clear(hsp_model &model) {
 // asked: the status of the other arguments. Out of line, as two functions call it.
 [[gnu::noinline]] int32_t set(hsp_model *model, const hsp::BallInput &given, const hsp_model_options *options,
                               int32_t asked, hsp::Patience patience, uint32_t *first_bad) {
-  if (const int32_t status = check_handle(model); status != HSP_OK) return status;
+  if (const int32_t status = check_handle(model); status != HSP_OK) return name_none(status, first_bad);
   uint32_t ignored = 0;
   uint32_t &bad = first_bad != nullptr ? *first_bad : ignored;
   hsp::BallInput input;

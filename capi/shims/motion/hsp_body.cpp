@@ -22,7 +22,8 @@ int32_t make_pose(const hsp_body *fixed, const hsp_body *posed, const Numbers &n
 int32_t check_bodies(const hsp_body *fixed, const hsp_body *posed, bool bad) {
   const int32_t refused = first_failure(check_handle(fixed), check_handle(posed, bad));
   if (refused != HSP_OK) return refused;
-  return fixed->has_results() && posed->has_results() ? HSP_OK : HSP_E_STATE;
+  if (!fixed->has_results() || !posed->has_results()) return HSP_E_STATE;
+  return hsp::have_one_lattice(fixed->tree, posed->tree) ? HSP_OK : HSP_E_ARGUMENT;
 }
 
 // Checks all poses before anything is written, then calls answer(k, pose) for each.

@@ -124,6 +124,8 @@ static void refusals(void) {
   CHECK_EQUAL(hsp_model_set(model, 5, xyz, radius, &options, NULL), HSP_OK);
   CHECK_EQUAL(hsp_body_set(moving, model), HSP_OK);
   check_refused(fixed, moving, POSES, pose, HSP_E_ARGUMENT, HSP_NONE);
+  check_refused(fixed, moving, 0, NULL, HSP_E_ARGUMENT, HSP_NONE);
+  CHECK_EQUAL(hsp_body_hits_along(fixed, moving, 0, NULL, -1, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_model_set(model, 5, xyz, radius, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_body_set(moving, model), HSP_OK);
 
