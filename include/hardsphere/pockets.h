@@ -221,7 +221,8 @@ typedef struct hsp_pore_pocket_size {
  *  @param[in,out] pores    with pockets that were found; its memory is used
  *  @param[in,out] plugged  its regions become those that hsp_pores_find_regions finds. On HSP_E_ARGUMENT,
  *                          HSP_E_CAPACITY, HSP_E_STATE and HSP_E_VERSION nothing changes, nor where its floor is
- *                          refused; on other failures it has no regions and no leaks. May be `pores` itself if no ball is grown and no mouth has a plug
+ *                          refused; on other failures it has no regions and no leaks. May be `pores` itself if no
+ *                          ball is grown and no mouth has a plug
  *  @param[in] boundary     of the model that `plugged` were computed of; NULL in a box
  *  @param[out] out         a record for each pocket, or NULL with capacity = 0
  *  @param[in] capacity     how many records there is room for

@@ -87,7 +87,8 @@ typedef struct hsp_pores_options {
   uint32_t struct_size; /**< sizeof(hsp_pores_options) */
   uint32_t reserved;    /**< 0 */
   double floor; /**< radius of the narrowest probe of interest, length, rounded down to the lattice; may be negative,
-                     down to minus the largest radius; above 2^51 lattice steps these; default 0: a gate that not even a point passes is closed */
+                     down to minus the largest radius; above 2^51 lattice steps these; default 0: a gate that not even a
+                     point passes is closed */
   const hsp_executor *executor; /**< or NULL: its proceed is asked whether to go on; its threads share no work */
   const hsp_pores *before;      /**< or NULL: other pores, of a model of some of these balls, as this model has rounded
                                 them, with all radii smaller by one length, or the same. Points that no further ball is

@@ -278,8 +278,8 @@ class SimpleFaceBuilder {
     uint32_t sphere = quarter_edge(topology_.first_sphere_edge);
     in_parts(patience_, BallRange{0, balls_.n}, 1000, [&](BallRange some) { number_faces_of(some, cut, sphere); });
   }
-  // cut, sphere: the first cut arc and the first edge of a whole sphere that no ball before has. Out of line, so that the
-  // loop keeps its registers.
+  // cut, sphere: the first cut arc and the first edge of a whole sphere that no ball before has. Out of line, so that
+  // the loop keeps its registers.
   [[gnu::noinline]] void number_faces_of(BallRange some, uint32_t &cut, uint32_t &sphere) {
     for (uint32_t i = some.first; i < some.last; ++i) {
       const uint32_t first_cut = cut;
