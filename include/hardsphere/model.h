@@ -145,9 +145,9 @@ typedef struct hsp_model_info {
 } hsp_model_info;
 
 /** Describe the model: how many balls and cubes it has, its lattice, and how coarse that is. Without balls the step is
- *  the one that hsp_model_set was given, else the one that largest_radius and probe make, 1e-8 without these and after a
- *  failure. One large radius makes a coarse lattice for all: look at
- *  largest_rounding, some 1e-9 for molecules, where radii differ a lot.
+ *  the one that hsp_model_set was given, else the one that largest_radius and probe make, 1e-8 without these and after
+ *  a failure. One large radius makes a coarse lattice for all: look at largest_rounding, some 1e-9 for molecules, where
+ *  radii differ a lot.
  *  @retval HSP_E_ARGUMENT  a null pointer */
 HSP_API int32_t HSP_CALL hsp_model_get_info(const hsp_model *model, hsp_model_info *info);
 

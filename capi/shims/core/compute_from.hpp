@@ -7,8 +7,8 @@
 namespace hsp::capi {
 
 // Computes the results that a request asks for by build(asked, executor), which notes the source. check(asked): the
-// status of further arguments. If that fails the handle has no results. Out of line: a handle may have several functions
-// that compute it.
+// status of further arguments. If that fails the handle has no results. Out of line: a handle may have several
+// functions that compute it.
 template <class Handle, class Source, class Request, class Check, class Build>
 [[gnu::noinline]] int32_t compute_from(LibraryArithmetic &arithmetic, Handle *handle, const Source *source,
                                        const Request *request, typename Handle::Given *limits, Check check,
