@@ -142,6 +142,19 @@ TEST(Locations, FirstByOccupancyOrByLetter) {
   }
 }
 
+// Frames of a trajectory have the choice, too.
+TEST(Locations, OfFrames) {
+  const TemporaryFile pdb("locations.pdb", as_pdb(locations));
+  for (const char *which : {"first", "A", "B", "C", "occupancy"}) {
+    const auto areas = [&](const std::vector<std::string> &more) {
+      std::vector<std::string> arguments = {"measure", pdb.path(), "--altloc", which, "--per-ball", "--json"};
+      arguments.insert(arguments.end(), more.begin(), more.end());
+      return xs(run_json(arguments));
+    };
+    EXPECT_EQ(areas({"--trajectory", pdb.path()}), areas({})) << which;
+  }
+}
+
 // Groups of disordered atoms are locations, each assembly for itself; a letter is the name of a group.
 TEST(Locations, GroupsOfCrystals) {
   const TemporaryFile file(

@@ -201,9 +201,10 @@ bool command_frames(const struct request *request, const struct molecule *molecu
   const uint32_t workers = frames.loop.workers;
   frames.progress = progress_begin(workers > 1, 1);
   if (workers > 1) progress_be_quiet();
-  bool done = trajectory_format_of(request->trajectory, request->format, &frames.trajectory, failure) &&
-              trajectory_open(&frames.trajectory, request->trajectory, molecule->read, failure) &&
-              allocate(&frames, failure);
+  bool done = trajectory_format_of(request->trajectory, request->format, &frames.trajectory, failure);
+  frames.trajectory.location = request->choice.location;
+  done = done && trajectory_open(&frames.trajectory, request->trajectory, molecule->read, failure) &&
+         allocate(&frames, failure);
   for (uint32_t k = 0; done && k < workers; ++k) {
     frames.geometry[k].progress = progress_begin(molecule->atoms, PROGRESS_LEAST_BALLS);
     geometry_share_work(&frames.geometry[k], request_threads(request) / workers, molecule->atoms);
