@@ -117,8 +117,8 @@ typedef struct hsp_boundary_request {
  *  derivatives of the volume, or with a pressure, as the volume takes all balls, but for second derivatives, which take
  *  a ball's own arcs; hsp_totals.volume and hsp_energy.volume are NaN. hsp_energy.value and .area are sums over the
  *  selected balls. But d_centre and d_radius of a selected ball are derivatives of the energy of all balls; those of
- *  the other balls are 0, and d_probe is the sum of these d_radius. So d_centre is not the gradient of value; d_centre of
- *  several selections that make up all balls adds up to the gradient of the whole.
+ *  the other balls are 0, and d_probe is the sum of these d_radius. So d_centre is not the gradient of value; d_centre
+ *  of several selections that make up all balls adds up to the gradient of the whole.
  *  - Property 1: all that can be read afterwards is the same for every number of workers and parts, bit for bit.
  *  - Property 2: areas, derivatives and flags of selected balls are those of the whole boundary, bit for bit; but
  *    the flag of a selected ball that equals one that is not selected may be set although it need not be.
