@@ -72,8 +72,8 @@ class Lattice {
   // There is one branch for all coordinates; which one is at fault can be found afterwards.
   HSP_INLINE_UNLESS_SMALL bool round(const double *xyz, Vector &point) const {
     const double x = steps(xyz[0]), y = steps(xyz[1]), z = steps(xyz[2]);
-    const bool on_lattice = (std::fabs(x) <= coordinate_limit) & (std::fabs(y) <= coordinate_limit) &
-                            (std::fabs(z) <= coordinate_limit);
+    const bool on_lattice =
+        (std::fabs(x) <= coordinate_limit) & (std::fabs(y) <= coordinate_limit) & (std::fabs(z) <= coordinate_limit);
     if (on_lattice) point = {nearest(x), nearest(y), nearest(z)};
     return on_lattice;
   }
