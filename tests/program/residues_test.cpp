@@ -176,7 +176,8 @@ TEST(Residues, OfNamesInMol2) {
     std::vector<std::string> arguments = {"measure", few.path(), "--by", "residue"};
     arguments.insert(arguments.end(), options.begin(), options.end());
     std::string left;
-    for (const Json &residue : run_json(arguments)["residues"].items) left += residue["name"].text + " ";
+    const Json json = run_json(arguments);
+    for (const Json &residue : json["residues"].items) left += residue["name"].text + " ";
     EXPECT_EQ(left, names);
   }
 }
