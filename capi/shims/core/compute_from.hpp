@@ -2,6 +2,7 @@
 #pragma once
 
 #include "caller_executor.hpp"
+#include "core/small_code.hpp"
 #include "hsp_boundary.hpp"
 
 namespace hsp::capi {
@@ -10,9 +11,9 @@ namespace hsp::capi {
 // status of further arguments. If that fails the handle has no results. Out of line: a handle may have several
 // functions that compute it.
 template <class Handle, class Source, class Request, class Check, class Build>
-[[gnu::noinline]] int32_t compute_from(LibraryArithmetic &arithmetic, Handle *handle, const Source *source,
-                                       const Request *request, typename Handle::Given *limits, Check check,
-                                       Build build) {
+HSP_APART_UNLESS_SMALL int32_t compute_from(LibraryArithmetic &arithmetic, Handle *handle, const Source *source,
+                                            const Request *request, typename Handle::Given *limits, Check check,
+                                            Build build) {
   if (const int32_t status = check_handle(handle); status != HSP_OK) return status;
   handle->complete = false;
   Request asked;

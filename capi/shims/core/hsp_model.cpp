@@ -1,5 +1,6 @@
 #include "hsp_model.hpp"
 #include "caller_executor.hpp"
+#include "core/small_code.hpp"
 #include "model_options.hpp"
 
 using namespace hsp::capi;
@@ -13,8 +14,8 @@ void clear(hsp_model &model) {
 }
 
 // asked: the status of the other arguments. Out of line, as two functions call it.
-[[gnu::noinline]] int32_t set(hsp_model *model, const hsp::BallInput &given, const hsp_model_options *options,
-                              int32_t asked, hsp::Patience patience, uint32_t *first_bad) {
+HSP_APART_UNLESS_SMALL int32_t set(hsp_model *model, const hsp::BallInput &given, const hsp_model_options *options,
+                                   int32_t asked, hsp::Patience patience, uint32_t *first_bad) {
   if (const int32_t status = check_handle(model); status != HSP_OK) return name_none(status, first_bad);
   uint32_t ignored = 0;
   uint32_t &bad = first_bad != nullptr ? *first_bad : ignored;

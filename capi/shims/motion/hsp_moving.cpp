@@ -36,7 +36,7 @@ hsp_moving_ball to_record(const hsp::MovingBalls &balls, uint32_t i) {
 [[gnu::always_inline]] inline int32_t set(hsp_moving *moving, const hsp_model *model, int32_t asked,
                                           const hsp_gradient_request &given, hsp::Patience patience,
                                           hsp_moving_limits *limits, uint32_t *first_bad) {
-  if (const int32_t status = check_handle(moving); status != HSP_OK) return name_none(status, first_bad);
+  if (const int32_t status = check_handle(moving); status != HSP_OK) return status;
   moving->complete = false;
   const int32_t refused = first_failure(check_handle(model), check_struct(limits), asked);
   if (name_none(refused, first_bad) != HSP_OK) return refused;

@@ -9,6 +9,8 @@
 //   vertices - edges + faces = 2 - 2 + 2 = 2
 #include "topology/simple_faces.hpp"
 
+#include "core/small_code.hpp"
+
 namespace hsp {
 namespace {
 
@@ -280,7 +282,7 @@ class SimpleFaceBuilder {
   }
   // cut, sphere: the first cut arc and the first edge of a whole sphere that no ball before has. Out of line, so that
   // the loop keeps its registers.
-  [[gnu::noinline]] void number_faces_of(BallRange some, uint32_t &cut, uint32_t &sphere) {
+  HSP_APART_UNLESS_SMALL void number_faces_of(BallRange some, uint32_t &cut, uint32_t &sphere) {
     for (uint32_t i = some.first; i < some.last; ++i) {
       const uint32_t first_cut = cut;
       while (cut < topology_.cut_arcs.size() && topology_.cut_arcs[cut].ball == i) ++cut;
