@@ -47,13 +47,12 @@ static inline int32_t smooth_energy_set(smooth_energy *s, uint32_t n, const doub
   uint32_t which, i;
   if (n != s->n || s->radius == NULL) {
     free(s->radius);
-    s->n = n;
     s->radius = (double *)malloc(10 * ((size_t)n + 1) * sizeof(double));
     if (s->radius == NULL) {
-      s->off = s->product = s->part = NULL;
-      s->n = 0;
+      smooth_energy_free(s);
       return HSP_E_MEMORY;
     }
+    s->n = n;
     s->off = s->radius + n;
     s->product = s->off + 3 * (size_t)n;
     s->part = s->product + 3 * (size_t)n;

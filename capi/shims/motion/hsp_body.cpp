@@ -15,15 +15,15 @@ template <class Numbers>
 using PoseOf = std::conditional_t<std::is_same_v<Numbers, hsp_pose>, hsp::Pose, hsp::RationalPose>;
 
 template <class Numbers>
-int32_t make_pose(const hsp_body *fixed, const hsp_body *posed, const Numbers &numbers, PoseOf<Numbers> &pose) {
-  return to_c(hsp::make_pose(fixed->tree, posed->tree, numbers.quaternion, numbers.translation, pose));
+int32_t make_pose(const hsp_body *posed, const Numbers &numbers, PoseOf<Numbers> &pose) {
+  return to_c(hsp::make_pose(posed->tree, numbers.quaternion, numbers.translation, pose));
 }
 
 int32_t check_bodies(const hsp_body *fixed, const hsp_body *posed, bool bad) {
   const int32_t refused = first_failure(check_handle(fixed), check_handle(posed, bad));
   if (refused != HSP_OK) return refused;
   if (!fixed->has_results() || !posed->has_results()) return HSP_E_STATE;
-  return hsp::have_one_lattice(fixed->tree, posed->tree) ? HSP_OK : HSP_E_ARGUMENT;
+  return fixed->tree.lattice().step() == posed->tree.lattice().step() ? HSP_OK : HSP_E_ARGUMENT;
 }
 
 // Checks all poses before anything is written, then calls answer(k, pose) for each.
@@ -34,13 +34,13 @@ int32_t for_each_pose(const hsp_body *fixed, const hsp_body *posed, uint32_t pos
   if (const int32_t status = name_none(check_bodies(fixed, posed, bad), first_bad); status != HSP_OK) return status;
   PoseOf<Numbers> pose;
   for (uint32_t k = 0; k < poses; ++k) {
-    const int32_t status = make_pose(fixed, posed, numbers[k], pose);
+    const int32_t status = make_pose(posed, numbers[k], pose);
     if (status == HSP_OK) continue;
-    if (first_bad != nullptr && status != HSP_E_ARGUMENT) *first_bad = k;
+    if (first_bad != nullptr) *first_bad = k;
     return status;
   }
   for (uint32_t k = 0; k < poses; ++k) {
-    static_cast<void>(make_pose(fixed, posed, numbers[k], pose));
+    static_cast<void>(make_pose(posed, numbers[k], pose));
     answer(k, pose);
   }
   return HSP_OK;
@@ -84,7 +84,7 @@ int32_t list_pairs(const hsp_body *fixed, const hsp_body *posed, const Numbers *
   const bool bad = pose == nullptr || (pair == nullptr && capacity > 0);
   if (const int32_t refused = check_bodies(fixed, posed, bad); refused != HSP_OK) return refused;
   PoseOf<Numbers> at;
-  if (const int32_t status = make_pose(fixed, posed, *pose, at); status != HSP_OK) return status;
+  if (const int32_t status = make_pose(posed, *pose, at); status != HSP_OK) return status;
   // Two walks: the first counts, as nothing is written to `pair` unless all pairs fit.
   const uint32_t count = hsp::clamped_count(hsp::list_meeting_pairs(fixed->tree, posed->tree, at, {}));
   if (count == hsp::no_id) return HSP_E_RANGE;

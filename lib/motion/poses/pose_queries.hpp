@@ -11,17 +11,10 @@
 
 namespace hsp {
 
-// Whether the lattices of both molecules have the same step.
-inline bool have_one_lattice(const SphereTree &fixed, const SphereTree &moving) {
-  return fixed.lattice().step() == moving.lattice().step();
-}
-
-// Makes a pose for these molecules as Pose::make() or RationalPose::make() does. Status::argument if their lattices
-// have different steps, Status::range if the pose has no room for the moving one, or the status of make().
+// Makes a pose for a molecule as Pose::make() or RationalPose::make() does. The lattice of the one that rests has the
+// same step. Status::range if the pose has no room for the moving one, or the status of make().
 template <class Number, class AnyPose>
-Status make_pose(const SphereTree &fixed, const SphereTree &moving, const Number *quaternion, const double *translation,
-                 AnyPose &pose) {
-  if (!have_one_lattice(fixed, moving)) return Status::argument;
+Status make_pose(const SphereTree &moving, const Number *quaternion, const double *translation, AnyPose &pose) {
   const Status status = AnyPose::make(quaternion, translation, moving.lattice(), pose);
   if (status != Status::ok) return status;
   return pose.has_room_for(moving.reach()) ? Status::ok : Status::range;

@@ -184,18 +184,17 @@ TEST(PoseQueries, AgreeFarFromTheOrigin) {
   }
 }
 
-hsp::Status make_pose(const BuiltTree &rest, const BuiltTree &other, const RationalNumbers &numbers,
-                      hsp::RationalPose &pose) {
+hsp::Status make_pose(const BuiltTree &other, const RationalNumbers &numbers, hsp::RationalPose &pose) {
   const double translation[3] = {static_cast<double>(numbers.shift[0]), static_cast<double>(numbers.shift[1]),
                                  static_cast<double>(numbers.shift[2])};
-  return hsp::make_pose(rest.tree(), other.tree(), numbers.quaternion.data(), translation, pose);
+  return hsp::make_pose(other.tree(), numbers.quaternion.data(), translation, pose);
 }
 
 // Empty, or what the trees say otherwise than large integers of a rational pose.
 std::string rational_complaint(const Balls &fixed, const Balls &moving, const RationalNumbers &numbers) {
   const BuiltTree rest(fixed), other(moving);
   hsp::RationalPose pose;
-  if (make_pose(rest, other, numbers, pose) != hsp::Status::ok) return "refused";
+  if (make_pose(other, numbers, pose) != hsp::Status::ok) return "refused";
   Pairs expected;
   double gap = INFINITY, error = 0;
   for (uint32_t i = 0; i < fixed.size(); ++i)
@@ -304,7 +303,7 @@ TEST(PoseQueries, AgreeAlongRationalMotionsWithinTheGap) {
       numbers.quaternion[static_cast<size_t>(time) % 4] += step | 1;
       for (int64_t &component : numbers.shift) component += random.in(-1 - size / 20, 1 + size / 20);
       hsp::RationalPose pose;
-      ASSERT_EQ(make_pose(rest, other, numbers, pose), hsp::Status::ok);
+      ASSERT_EQ(make_pose(other, numbers, pose), hsp::Status::ok);
       const double budget = known.budget;
       const bool hit = hsp::any_balls_meet(rest.tree(), other.tree(), pose, known);
       hsp::PairRanks none;
