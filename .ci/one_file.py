@@ -27,11 +27,11 @@ HEAD = """\
  * Made by .ci/one_file.py of the project, from which it is maintained; do not change it.
  *
 {licence} */
-#if defined(__FAST_MATH__)
-#error results would not be those of IEEE 754: compile without -ffast-math and -Ofast
-#endif
 // No fused operations, and no vectorizer, as that of g++ 12 makes them all the same.
 #if defined(__clang__)
+// No parts of -ffast-math, of which clang names -ffinite-math-only alone. Some processors have no float_control.
+#pragma GCC diagnostic ignored "-Wignored-pragmas"
+#pragma float_control(precise, on)
 #pragma STDC FP_CONTRACT OFF
 #pragma GCC diagnostic ignored "-Wunused-const-variable"
 #define HSP_FRIEND friend

@@ -6,8 +6,9 @@
 #              a soname, needs no C++ run time
 #   lto_fat    -g -flto=auto -ffat-lto-objects, as Fedora and Ubuntu build their packages; linked with and without -flto
 #   lto        -flto alone
-#   single     as one object: nothing but the header's functions in its symbol table
-#   clang      compiled by clang
+#   single     as one object: nothing but the header's functions in its symbol table; a project's own -ffinite-math-only
+#              does not reach it
+#   clang      compiled by clang, in a project that computes with -ffast-math
 #   lld        what is installed in INSTALL-PREFIX, linked by clang and lld
 #   musl       the same, linked with the C library musl, statically
 # The shared library and the single object with -O0, which inlines nothing that could be exported; others with -O1, which
@@ -29,11 +30,11 @@ case $variant in
   lto_fat) flags='-g -flto=auto -ffat-lto-objects' optimization=-O3 links=('' '-flto=auto') ;;
   lto) flags='-flto' optimization=-O3 links=('-flto') ;;
   single)
-    optimization=-O0 options=(-DHSP_SINGLE_OBJECT=ON)
+    flags=-ffinite-math-only optimization=-O0 options=(-DHSP_SINGLE_OBJECT=ON)
     links=('-Wl,-z,relro -Wl,-z,now -pie -fPIE')
     ;;
   clang)
-    cc=clang cxx=clang++
+    cc=clang cxx=clang++ flags=-ffast-math
     need clang && need clang++
     ;;
   lld)

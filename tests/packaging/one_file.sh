@@ -62,7 +62,9 @@ int main(void) {
 C
 "$cc" -std=c99 "${warnings[@]}" -Ione areas.c hardsphere.o -lm -o areas
 [ "$(./areas)" = 18.849555921539 ] || { echo "two balls: $(./areas) instead of 6 pi" && exit 1; }
-if "$cxx" -std=c++20 -O2 -ffast-math -c one/hardsphere.cpp -o fast.o 2>/dev/null; then echo "-ffast-math compiles" && exit 1; fi
+for option in -ffast-math -ffinite-math-only; do
+  if "$cxx" -std=c++20 -O2 $option -c one/hardsphere.cpp -o fast.o 2>/dev/null; then echo "$option compiles" && exit 1; fi
+done
 [ "$all" = all ] || exit 0
 
 for compiler in g++ clang++; do
@@ -74,6 +76,10 @@ for compiler in g++ clang++; do
     compile "$compiler" $options
     check_bits "$compiler $options" "$compiler" ""
   done
+  if [ "$compiler" = clang++ ]; then
+    compile clang++ -O2 -funsafe-math-optimizations
+    check_bits "clang++ -funsafe-math-optimizations" clang++ ""
+  fi
   compile "$compiler" -O2 -fno-exceptions -DHSP_AVX2=1
   "$compiler" -std=c++20 "${warnings[@]}" -O2 -fno-exceptions -DHSP_TARGET=avx2 -mavx2 -mfma -mpopcnt -c one/hardsphere.cpp \
     -o hardsphere_avx2.o

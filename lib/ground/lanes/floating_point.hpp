@@ -11,8 +11,10 @@
 #include <cmath>
 #include <limits>
 
-#if defined(__FAST_MATH__)
-#error "hardsphere must not be compiled with -ffast-math: its results are defined by IEEE arithmetic"
+// g++ names each option of -ffast-math that is on, clang -ffinite-math-only alone.
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || \
+    defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
+#error "hardsphere must not be compiled with -ffast-math or parts of it: its results are defined by IEEE arithmetic"
 #endif
 #if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
 #error "hardsphere needs doubles without excess precision (on i686: -msse2 -mfpmath=sse)"
