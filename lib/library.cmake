@@ -189,13 +189,15 @@ function(hsp_library_objects name)
   target_include_directories(${name} INTERFACE ${hardsphere_SOURCE_DIR}/include ${HSP_PART_FOLDERS})
   target_compile_definitions(${name} PUBLIC ${HSP_COMPONENT_DEFINITIONS} HSP_NO_CONTRACTION=1
     $<$<BOOL:${HSP_PORTABLE_LIMBS}>:HSP_PORTABLE_LIMBS=1> $<$<BOOL:${wide}>:HSP_AVX2=1> $<$<BOOL:${lanes}>:HSP_LANES=1> ${ARGN} PRIVATE HSP_TARGET=baseline)
-  # -fno-fast-math: a project that is compiled with -Ofast, or parts of it like -ffinite-math-only, may carry the library.
+  # A project that is compiled with -Ofast, or parts of it like -ffinite-math-only, may carry the library, and one for a
+  # microcontroller with -fsingle-precision-constant: none of it is on here.
   # -ffp-contract=off: the same bits with and without fused multiply-add. The vectorizer of g++ 12 does not obey it: it
   # makes fused instructions of complex products (vfmaddsub, fcmla), hence it is off. HSP_NO_CONTRACTION: both are given.
   # A section for each function and table, so that the linker can leave out what a program does not call.
   # -fno-gnu-unique: constants of headers are weak symbols as functions are, which an archive of one object makes local.
   # The rest keeps the C++ run time out.
-  target_compile_options(${name} PUBLIC -fno-fast-math -ffp-contract=off PRIVATE
+  target_compile_options(${name} PUBLIC -fno-unsafe-math-optimizations -fno-finite-math-only -ffp-contract=off PRIVATE
+    $<$<CXX_COMPILER_ID:GNU>:-fno-single-precision-constant>
     $<$<CXX_COMPILER_ID:GNU>:-fno-tree-vectorize> $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>
     ${HSP_OPTIMIZATION} -ffunction-sections -fdata-sections -fno-math-errno -fno-exceptions -fno-rtti
     -fno-threadsafe-statics -fno-asynchronous-unwind-tables -fstack-usage)

@@ -6,8 +6,8 @@
 #              a soname, needs no C++ run time
 #   lto_fat    -g -flto=auto -ffat-lto-objects, as Fedora and Ubuntu build their packages; linked with and without -flto
 #   lto        -flto alone
-#   single     as one object: nothing but the header's functions in its symbol table; a project's own -ffinite-math-only
-#              does not reach it
+#   single     as one object: nothing but the header's functions in its symbol table; a project's own -ffinite-math-only and
+#              -fsingle-precision-constant do not reach it
 #   clang      compiled by clang, in a project that computes with -ffast-math
 #   lld        what is installed in INSTALL-PREFIX, linked by clang and lld
 #   musl       the same, linked with the C library musl, statically
@@ -30,7 +30,7 @@ case $variant in
   lto_fat) flags='-g -flto=auto -ffat-lto-objects' optimization=-O3 links=('' '-flto=auto') ;;
   lto) flags='-flto' optimization=-O3 links=('-flto') ;;
   single)
-    flags=-ffinite-math-only optimization=-O0 options=(-DHSP_SINGLE_OBJECT=ON)
+    flags="-ffinite-math-only -fsingle-precision-constant" optimization=-O0 options=(-DHSP_SINGLE_OBJECT=ON)
     links=('-Wl,-z,relro -Wl,-z,now -pie -fPIE')
     ;;
   clang)
