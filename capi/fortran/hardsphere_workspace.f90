@@ -629,7 +629,8 @@ contains
   ! ---- model.h
 
   ! make: a handle of the current limits, without results. ready: the same, if there is none yet. grow: one of larger
-  ! limits.
+  ! limits. If it cannot be made the next balls get a model of their own size, so that a small set is not refused for a
+  ! large one.
 
   ! ---- boundary.h
   function make_boundary(self) result(status)
@@ -639,8 +640,9 @@ contains
     self%boundary = c_null_ptr
     status = hsp_boundary_bytes(self%boundary_limits, bytes)
     if (status == HSP_OK) status = allocated_to(self%memory(2), bytes)
-    if (status /= HSP_OK) return
-    status = hsp_boundary_init(c_loc(self%memory(2)%bytes), bytes, self%boundary_limits, self%boundary)
+    if (status == HSP_OK) status = hsp_boundary_init(c_loc(self%memory(2)%bytes), bytes, self%boundary_limits, &
+      self%boundary)
+    if (status /= HSP_OK) self%most_balls = 0
   end function
 
   function ready_boundary(self) result(status)
@@ -672,8 +674,9 @@ contains
     self%topology = c_null_ptr
     status = hsp_topology_bytes(self%topology_limits, bytes)
     if (status == HSP_OK) status = allocated_to(self%memory(3), bytes)
-    if (status /= HSP_OK) return
-    status = hsp_topology_init(c_loc(self%memory(3)%bytes), bytes, self%topology_limits, self%topology)
+    if (status == HSP_OK) status = hsp_topology_init(c_loc(self%memory(3)%bytes), bytes, self%topology_limits, &
+      self%topology)
+    if (status /= HSP_OK) self%most_balls = 0
   end function
 
   function ready_topology(self) result(status)
@@ -701,8 +704,8 @@ contains
     self%view = c_null_ptr
     status = hsp_view_bytes(self%view_limits, bytes)
     if (status == HSP_OK) status = allocated_to(self%memory(4), bytes)
-    if (status /= HSP_OK) return
-    status = hsp_view_init(c_loc(self%memory(4)%bytes), bytes, self%view_limits, self%view)
+    if (status == HSP_OK) status = hsp_view_init(c_loc(self%memory(4)%bytes), bytes, self%view_limits, self%view)
+    if (status /= HSP_OK) self%most_balls = 0
   end function
 
   function ready_view(self) result(status)
@@ -733,8 +736,9 @@ contains
     self%surface = c_null_ptr
     status = hsp_surface_bytes(self%surface_limits, bytes)
     if (status == HSP_OK) status = allocated_to(self%memory(5), bytes)
-    if (status /= HSP_OK) return
-    status = hsp_surface_init(c_loc(self%memory(5)%bytes), bytes, self%surface_limits, self%surface)
+    if (status == HSP_OK) status = hsp_surface_init(c_loc(self%memory(5)%bytes), bytes, self%surface_limits, &
+      self%surface)
+    if (status /= HSP_OK) self%most_balls = 0
   end function
 
   function ready_surface(self) result(status)
@@ -762,8 +766,8 @@ contains
     self%mesh = c_null_ptr
     status = hsp_mesh_bytes(self%mesh_limits, bytes)
     if (status == HSP_OK) status = allocated_to(self%memory(6), bytes)
-    if (status /= HSP_OK) return
-    status = hsp_mesh_init(c_loc(self%memory(6)%bytes), bytes, self%mesh_limits, self%mesh)
+    if (status == HSP_OK) status = hsp_mesh_init(c_loc(self%memory(6)%bytes), bytes, self%mesh_limits, self%mesh)
+    if (status /= HSP_OK) self%most_balls = 0
   end function
 
   ! ---- map.h
@@ -774,8 +778,8 @@ contains
     self%map = c_null_ptr
     status = hsp_map_bytes(self%map_limits, bytes)
     if (status == HSP_OK) status = allocated_to(self%memory(7), bytes)
-    if (status /= HSP_OK) return
-    status = hsp_map_init(c_loc(self%memory(7)%bytes), bytes, self%map_limits, self%map)
+    if (status == HSP_OK) status = hsp_map_init(c_loc(self%memory(7)%bytes), bytes, self%map_limits, self%map)
+    if (status /= HSP_OK) self%most_balls = 0
   end function
 
   function ready_map(self) result(status)
@@ -806,8 +810,9 @@ contains
     self%contacts = c_null_ptr
     status = hsp_contacts_bytes(self%contacts_limits, bytes)
     if (status == HSP_OK) status = allocated_to(self%memory(8), bytes)
-    if (status /= HSP_OK) return
-    status = hsp_contacts_init(c_loc(self%memory(8)%bytes), bytes, self%contacts_limits, self%contacts)
+    if (status == HSP_OK) status = hsp_contacts_init(c_loc(self%memory(8)%bytes), bytes, self%contacts_limits, &
+      self%contacts)
+    if (status /= HSP_OK) self%most_balls = 0
   end function
 
   function ready_contacts(self) result(status)
@@ -835,8 +840,8 @@ contains
     self%cells = c_null_ptr
     status = hsp_cells_bytes(self%cells_limits, bytes)
     if (status == HSP_OK) status = allocated_to(self%memory(9), bytes)
-    if (status /= HSP_OK) return
-    status = hsp_cells_init(c_loc(self%memory(9)%bytes), bytes, self%cells_limits, self%cells)
+    if (status == HSP_OK) status = hsp_cells_init(c_loc(self%memory(9)%bytes), bytes, self%cells_limits, self%cells)
+    if (status /= HSP_OK) self%most_balls = 0
   end function
 
   function ready_cells(self) result(status)
@@ -867,8 +872,8 @@ contains
     self%paths = c_null_ptr
     status = hsp_paths_bytes(self%paths_limits, bytes)
     if (status == HSP_OK) status = allocated_to(self%memory(10), bytes)
-    if (status /= HSP_OK) return
-    status = hsp_paths_init(c_loc(self%memory(10)%bytes), bytes, self%paths_limits, self%paths)
+    if (status == HSP_OK) status = hsp_paths_init(c_loc(self%memory(10)%bytes), bytes, self%paths_limits, self%paths)
+    if (status /= HSP_OK) self%most_balls = 0
   end function
 
   function ready_paths(self) result(status)
@@ -899,8 +904,8 @@ contains
     self%pores = c_null_ptr
     status = hsp_pores_bytes(self%pores_limits, bytes)
     if (status == HSP_OK) status = allocated_to(self%memory(11), bytes)
-    if (status /= HSP_OK) return
-    status = hsp_pores_init(c_loc(self%memory(11)%bytes), bytes, self%pores_limits, self%pores)
+    if (status == HSP_OK) status = hsp_pores_init(c_loc(self%memory(11)%bytes), bytes, self%pores_limits, self%pores)
+    if (status /= HSP_OK) self%most_balls = 0
   end function
 
   function ready_pores(self) result(status)
@@ -931,8 +936,8 @@ contains
     self%moving = c_null_ptr
     status = hsp_moving_bytes(self%moving_limits, bytes)
     if (status == HSP_OK) status = allocated_to(self%memory(12), bytes)
-    if (status /= HSP_OK) return
-    status = hsp_moving_init(c_loc(self%memory(12)%bytes), bytes, self%moving_limits, self%moving)
+    if (status == HSP_OK) status = hsp_moving_init(c_loc(self%memory(12)%bytes), bytes, self%moving_limits, self%moving)
+    if (status /= HSP_OK) self%most_balls = 0
   end function
 
   function ready_moving(self) result(status)
@@ -963,8 +968,9 @@ contains
     self%periodic = c_null_ptr
     status = hsp_periodic_bytes(self%periodic_limits, bytes)
     if (status == HSP_OK) status = allocated_to(self%memory(13), bytes)
-    if (status /= HSP_OK) return
-    status = hsp_periodic_init(c_loc(self%memory(13)%bytes), bytes, self%periodic_limits, self%periodic)
+    if (status == HSP_OK) status = hsp_periodic_init(c_loc(self%memory(13)%bytes), bytes, self%periodic_limits, &
+      self%periodic)
+    if (status /= HSP_OK) self%most_balls = 0
   end function
 
   function ready_periodic(self, n) result(status)

@@ -76,8 +76,9 @@ def make_rows(interface):
                  f"    self%{noun} = c_null_ptr",
                  f"    status = hsp_{noun}_bytes(self%{noun}_limits, bytes)",
                  f"    if (status == HSP_OK) status = allocated_to({memory}, bytes)",
-                 "    if (status /= HSP_OK) return",
-                 f"    status = hsp_{noun}_init(c_loc({memory}%bytes), bytes, self%{noun}_limits, self%{noun})",
+                 *wrapped(f"if (status == HSP_OK) status = hsp_{noun}_init(c_loc({memory}%bytes), bytes, "
+                          f"self%{noun}_limits, self%{noun})", 4, mark=" &"),
+                 "    if (status /= HSP_OK) self%most_balls = 0",
                  "  end function", ""]
         source = first_limits_from(interface, noun)
         if source:

@@ -446,7 +446,8 @@ contains
   ! ---- model.h
 
   ! make: a handle of the current limits, without results. ready: the same, if there is none yet. grow: one of larger
-  ! limits.
+  ! limits. If it cannot be made the next balls get a model of their own size, so that a small set is not refused for a
+  ! large one.
 
   ! <make>
 

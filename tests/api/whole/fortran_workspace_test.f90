@@ -1,9 +1,9 @@
 ! The workspace as a Fortran program uses it: area, volume and gradient of sets of balls, one larger than the one before,
-! against sets whose figures are known; and what becomes of it when balls are refused, the workspace is copied, or its
-! executor shares the work or stops it.
+! against sets whose figures are known; and what becomes of it when balls are refused, there is no memory for many, the
+! workspace is copied, or its executor shares the work or stops it.
 program fortran_workspace_test
-  use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_funloc, c_int32_t, c_int8_t, c_loc, c_null_ptr, &
-                                         c_size_t
+  use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_funloc, c_int, c_int32_t, c_int64_t, c_int8_t, &
+                                         c_loc, c_null_ptr, c_size_t
   use fortran_checks
   use fortran_loops
   use hardsphere_workspace
@@ -16,12 +16,34 @@ program fortran_workspace_test
   type(hsp_tunnel) :: tunnel, cheapest
   type(hsp_pore_passage) :: widest
 
+  interface
+    function getpagesize() result(bytes) bind(C)
+      import :: c_int
+      integer(c_int) :: bytes
+    end function
+
+    function getrlimit(resource, limit) result(failed) bind(C)
+      import :: c_int, c_int64_t
+      integer(c_int), value :: resource
+      integer(c_int64_t), intent(out) :: limit(2)
+      integer(c_int) :: failed
+    end function
+
+    function setrlimit(resource, limit) result(failed) bind(C)
+      import :: c_int, c_int64_t
+      integer(c_int), value :: resource
+      integer(c_int64_t), intent(in) :: limit(2)
+      integer(c_int) :: failed
+    end function
+  end interface
+
   call nothing_set()
   call view_without_boundary()
   call rows_of_balls(1_c_int32_t)
   call rows_of_balls(500_c_int32_t)
   call rows_of_balls(20_c_int32_t)
   call refused()
+  call too_many()
   call copied()
   call boxes()
   call areas()
@@ -451,6 +473,31 @@ contains
     call expect(work%compute_boundary(), HSP_OK, 'no balls')
     call expect(hsp_boundary_get_counts(work%boundary, counts), HSP_OK, 'counts of no balls')
     call check(counts%balls == 0, 'no balls')
+  end subroutine
+
+  ! Where there is memory for a model and none for its boundary: a small set is not refused for a large one.
+  subroutine too_many()
+    integer(c_int), parameter :: address_space = 9 ! RLIMIT_AS of Linux
+    integer(c_int32_t), parameter :: n = 100000, few = 2
+    type(hsp_workspace), target :: fresh
+    type(hsp_totals) :: totals
+    real(c_double), allocatable :: xyz(:, :), radius(:)
+    integer(c_int64_t) :: before(2), pages
+    integer(c_size_t) :: bytes
+    integer :: unit
+    allocate (xyz(3, n), radius(n))
+    call row_of_halves(n, xyz, radius)
+    open (newunit=unit, file='/proc/self/statm', action='read')
+    read (unit, *) pages
+    close (unit)
+    call expect(hsp_model_bytes(n, bytes), HSP_OK, 'memory for many balls')
+    call check(getrlimit(address_space, before) == 0, 'how much there may be')
+    call check(setrlimit(address_space, [getpagesize()*pages + bytes + bytes/8, before(2)]) == 0, 'a little more')
+    call expect(fresh%compute_areas(n, xyz, radius, 0.5_c_double, totals), HSP_E_MEMORY, 'no memory for a boundary')
+    call check(c_associated(fresh%model) .and. .not. c_associated(fresh%boundary), 'a model is there')
+    call expect(fresh%compute_areas(few, xyz, radius, 0.5_c_double, totals), HSP_OK, 'two balls')
+    call check(near(totals%area, 6*pi), 'their area')
+    call check(setrlimit(address_space, before) == 0, 'as before')
   end subroutine
 
   ! The memory of a copy lies elsewhere, but its handles are those of the original: they are as good as that is.
