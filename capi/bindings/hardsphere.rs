@@ -1,5 +1,6 @@
 // The C interface of hardsphere, for Rust. Generated from the headers by capi/interface/generate.sh.
 // To link it: rustc program.rs -L PREFIX/lib -l static=hardsphere -l m, of an installed archive; C++'s library is not needed.
+// All editions: that of 2024 wants `unsafe extern`, which compilers before 1.82 do not know.
 #![allow(dead_code, non_camel_case_types)]
 use std::os::raw::{c_char, c_void};
 
@@ -1709,7 +1710,12 @@ pub struct hsp_picture_options {
     pub reserved_for_sticks: usize,
 }
 
-extern "C" {
+macro_rules! functions {
+    ($of_2024:expr => $($declared:tt)*) => { unsafe extern "C" { $($declared)* } };
+    (_ => $($declared:tt)*) => { extern "C" { $($declared)* } };
+}
+
+functions! { _ =>
     pub fn hsp_version() -> u32;
     pub fn hsp_abi() -> u32;
     pub fn hsp_provisional() -> u32;

@@ -33,7 +33,11 @@ fn check_layouts() {
 $(cat rows)
 }
 RUST
-    rustc --edition 2021 -D warnings --crate-type rlib --crate-name hardsphere "$source/capi/bindings/hardsphere.rs"
+    for edition in 2024 2021; do
+      rustc --edition $edition --print cfg >/dev/null 2>&1 || continue # an older compiler
+      rustc --edition $edition -D warnings --crate-type rlib --crate-name hardsphere \
+        "$source/capi/bindings/hardsphere.rs"
+    done
     HSP_LAYOUTS=$work/layouts.rs rustc --edition 2021 -D warnings --extern hardsphere=libhardsphere.rlib \
       -C link-arg="$archive" -C link-arg=-lm "$here/lens.rs"
     ./lens >printed

@@ -17,6 +17,7 @@ GENERATED = "Generated from the headers by capi/interface/generate.sh."
 def rust_declarations(interface):
     rows = [f"// The C interface of hardsphere, for Rust. {GENERATED}",
             "// To link it: rustc program.rs -L PREFIX/lib -l static=hardsphere -l m, of an installed archive; C++'s library is not needed.",
+            "// All editions: that of 2024 wants `unsafe extern`, which compilers before 1.82 do not know.",
             "#![allow(dead_code, non_camel_case_types)]", "use std::os::raw::{c_char, c_void};", ""]
     for constant in interface.constants.values():
         kind = "i32" if constant.value < 0 or constant.name == "HSP_OK" else "u32"
@@ -30,7 +31,10 @@ def rust_declarations(interface):
         rows += ["", "#[repr(C)]", "#[derive(Clone, Copy)]", f"pub struct {struct.name} {{"]
         rows += [f"    pub {rust_name(f.name)}: {rust_field(interface, f)}," for f in struct.fields]
         rows.append("}")
-    rows += ["", 'extern "C" {']
+    # Of a macro the branch that is taken is compiled, and `_` is an expression from edition 2024 on.
+    rows += ["", "macro_rules! functions {",
+             '    ($of_2024:expr => $($declared:tt)*) => { unsafe extern "C" { $($declared)* } };',
+             '    (_ => $($declared:tt)*) => { extern "C" { $($declared)* } };', "}", "", "functions! { _ =>"]
     for function in interface.functions:
         arguments = [f"{rust_name(a.name)}: {rust_type(interface, a)}" for a in function.arguments]
         result = "*const c_char" if function.result == "const char *" else RUST[function.result]
