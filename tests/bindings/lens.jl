@@ -19,7 +19,7 @@ for row in eachline(ARGS[2])
 end
 
 xyz, radius, area = [0.0, 0, 0, 1, 0, 0], [1.0, 1], zeros(2)
-bytes, totals = Ref{Csize_t}(0), Ref(HardsphereC.hsp_totals(0, 0))
+bytes, totals = Ref{Csize_t}(0), Ref(HardsphereC.hsp_totals(0, 0, (0, 0)))
 @assert HardsphereC.hsp_areas_bytes(2, bytes) == HardsphereC.HSP_OK
 memory = zeros(UInt8, bytes[])
 @assert HardsphereC.hsp_areas(2, xyz, radius, 0.0, memory, bytes, totals, area) == HardsphereC.HSP_OK
