@@ -41,3 +41,12 @@ for balls in "$work/crambin.xyzr" "$work/growing.xyzr" "$work/cube.xyzr" "$sourc
   fi
   if [[ $balls == *cube* ]]; then grep -qE ', 1 components, 1 voids, Euler number 4$' "$work/several"; fi
 done
+
+# A ball without a place is refused, and not left out; so is a file that cannot be written.
+printf '0 0 0 1\n1 nan 0 1\n' >"$work/nowhere.xyzr"
+if "$mpiexec" -n "$ranks" "$program" "$work/nowhere.xyzr" >"$work/several" 2>"$work/log"; then
+  echo "taken without its second ball: $(cat "$work/several")" && exit 1
+fi
+grep -q '^split_mpi: ball 1: a value is NaN or infinite$' "$work/log"
+if "$mpiexec" -n "$ranks" "$program" "$work/cube.xyzr" "$work/none/areas" >/dev/null 2>"$work/log"; then exit 1; fi
+grep -q '^split_mpi: rank 0 cannot write .*none/areas$' "$work/log"

@@ -54,13 +54,24 @@ static int share_of(uint64_t all, int k) {
   return (int)(all * (uint64_t)(k + 1) / (uint64_t)ranks - all * (uint64_t)k / (uint64_t)ranks);
 }
 
+/* Whether all have a place. What has none is in no region, so that no rank would take it. */
+static int have_places(const struct balls *balls) {
+  for (uint32_t i = 0; i < balls->count; ++i) {
+    const double *const centre = balls->xyz + 3 * (size_t)i;
+    if (isfinite(centre[0]) && isfinite(centre[1]) && isfinite(centre[2])) continue;
+    fprintf(stderr, "split_mpi: ball %u: %s\n", (unsigned)i, hsp_status_text(HSP_E_NOT_FINITE));
+    return 0;
+  }
+  return 1;
+}
+
 /* So many balls for each rank; NULL if the file is not read. */
 static struct ball *first_balls(const char *path, uint64_t *all, int *counts, int *places) {
   struct balls read = {0, NULL, NULL};
   struct ball *from = NULL;
   int good = 1;
   if (rank == 0) {
-    good = read_balls(path, &read);
+    good = read_balls(path, &read) && have_places(&read);
     from = need(calloc((size_t)read.count + 1, sizeof *from));
     for (uint32_t i = 0; i < read.count; ++i) {
       memcpy(from[i].xyz, read.xyz + 3 * (size_t)i, sizeof from[i].xyz);
@@ -262,6 +273,7 @@ static int write_areas(const char *path, const struct part *part) {
     good = MPI_File_close(&file) == MPI_SUCCESS && good;
     MPI_Type_free(&places);
   }
+  if (!good) fprintf(stderr, "split_mpi: rank %d cannot write %s\n", rank, path);
   free(at);
   free(area);
   return good;
