@@ -24,7 +24,7 @@ int main(int count, char **arguments) try {
   }
   const size_t first = chain[0].radius.size();
   const std::vector<double> area = work.set(both.xyz, both.radius, how).measure().area;
-  std::vector<uint32_t> group(area.size());
+  std::vector<uint32_t> group(area.size() + 1);  // which has an address where there are no balls
   for (size_t i = 0; i < area.size(); ++i) {
     group[i] = i < first ? 0 : 1;
     together[group[i]] += area[i];

@@ -35,7 +35,8 @@ case $example in
   cavities) calls=("" "$good/cage.xyzr" "$good/cage.xyzr 0.1 3 3 3" "$work/crambin.xyzr 1.4 9.6 12.8 5.7"
     "$work/crambin.xyzr 0.3" "$work/negative.xyzr" "$work/short.xyzr" "$work/none") ;;
   interface) calls=("$work/first.xyzr $work/second.xyzr" "$work/first.xyzr $work/second.xyzr 0"
-    "$good/one.xyzr $good/apart.xyzr" "$work/first.xyzr" "$work/negative.xyzr $work/first.xyzr") ;;
+    "$good/one.xyzr $good/apart.xyzr" "/dev/null /dev/null" "$work/first.xyzr"
+    "$work/negative.xyzr $work/first.xyzr") ;;
   neighbour_list) calls=("$work/crambin.xyzr 6" "$work/crambin.xyzr 4 print" "$good/three_comments.xyzr 9 print"
     "$work/crambin.xyzr -1" "$work/crambin.xyzr" "$work/short.xyzr 3") ;;
   solvent_box) calls=("$work/crambin.xyzr 41 19 23" "$work/first.xyzr 30 30 30" "$work/crambin.xyzr 41 19"
