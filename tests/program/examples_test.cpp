@@ -595,6 +595,12 @@ TEST(Examples, BricksHaveTheWholesVoids) {
   EXPECT_NE(damaged.err.find("not as they were written"), std::string::npos) << damaged.err;
   std::filesystem::remove_all(folder);
   EXPECT_EQ(run("0", false).status, 2);
+  // More bricks than numbers for them.
+  using Cells = std::array<const char *, 3>;
+  for (const Cells &cells : {Cells{"65536", "65536", "1"}, Cells{"2097153", "1", "1"}, Cells{"2147483647", "1", "1"}}) {
+    const Outcome many = run_example("bricks", {file.path(), "2", "2", "2", cells[0], cells[1], cells[2], "1"});
+    EXPECT_EQ(many.status, 2) << cells[0] << " " << cells[1];
+  }
 }
 
 TEST(Examples, RefuseBadFiles) {

@@ -1,10 +1,10 @@
 /* A crystal that no memory holds: copies of a molecule in bricks of cells, made on the fly and computed one by one.
  *   bricks FILE.xyzr AX BY CZ  NX NY NZ  CELLS [FOLDER [PART PARTS]]      x y z r on each line
- * The cell has the sides AX, BY and CZ; there are NX NY NZ of them, and a brick has CELLS along each axis. Components,
- * voids, Euler number, area and volume of all are those that one piece would have. Ctrl-C stops it. With a FOLDER,
- * which has to be there, summaries of finished bricks are kept in it, and another run goes on from these. Several runs
- * at a time, on one machine or many, with PART 0 to PARTS - 1, make some of the bricks each and print nothing; a last
- * run without PART merges them. */
+ * The cell has the sides AX, BY and CZ; there are NX NY NZ of them, and a brick has CELLS along each axis. There may be
+ * 2^21 bricks along an axis, and less than 2^31 in all. Components, voids, Euler number, area and volume of all are
+ * those that one piece would have. Ctrl-C stops it. With a FOLDER, which has to be there, summaries of finished bricks
+ * are kept in it, and another run goes on from these. Several runs at a time, on one machine or many, with PART 0 to
+ * PARTS - 1, make some of the bricks each and print nothing; a last run without PART merges them. */
 #include <hardsphere_workspace.h>
 #include <signal.h>
 #include <stdio.h>
@@ -178,10 +178,12 @@ static int32_t merge(struct block *into, struct block *last) {
   return status;
 }
 
+enum { PLACE_BITS = 21, MOST_CELLS = 1 << 30 }; /* along an axis */
+
 /* The place of a brick on the Z-order: the bits of its three numbers by turns. */
 static uint64_t place_of(const int at[3]) {
   uint64_t place = 0;
-  for (int bit = 20; bit >= 0; --bit) {
+  for (int bit = PLACE_BITS - 1; bit >= 0; --bit) {
     for (int k = 0; k < 3; ++k) place = place << 1 | ((unsigned)at[k] >> bit & 1U);
   }
   return place;
@@ -207,7 +209,7 @@ static int32_t run(struct crystal *crystal, struct block *waiting, uint32_t *cou
   if (order != NULL) qsort(order, all, sizeof *order, by_place);
   for (uint32_t k = 0; k < all && status == HSP_OK; ++k) {
     int first[3] = {0, 0, 0};
-    for (int bit = 0; bit < 63; ++bit) first[2 - bit % 3] |= (int)(order[k] >> bit & 1) << bit / 3;
+    for (int bit = 0; bit < 3 * PLACE_BITS; ++bit) first[2 - bit % 3] |= (int)(order[k] >> bit & 1) << bit / 3;
     for (int axis = 0; axis < 3; ++axis) first[axis] *= crystal->size;
     struct block *const last = &waiting[*count];
     if (k % crystal->parts != crystal->part) continue;
@@ -256,13 +258,17 @@ static int print_totals(const brick_summary *whole, size_t most, double seconds)
 
 static int prepare(struct crystal *crystal, char **argument) {
   if (!read_balls(argument[1], &crystal->molecule) || crystal->molecule.count == 0) return 0;
+  uint64_t bricks = 1;
   crystal->size = atoi(argument[8]);
   if (crystal->part >= crystal->parts) return 0;
   for (int k = 0; k < 3; ++k) {
     crystal->side[k] = atof(argument[2 + k]);
     crystal->cells[k] = atoi(argument[5 + k]);
     if (!(crystal->side[k] > 0) || crystal->cells[k] < 1 || crystal->size < 1) return 0;
+    if (crystal->cells[k] > MOST_CELLS || crystal->size > MOST_CELLS) return 0;
     crystal->bricks[k] = (crystal->cells[k] + crystal->size - 1) / crystal->size;
+    bricks *= (uint64_t)crystal->bricks[k];
+    if (crystal->bricks[k] > 1 << PLACE_BITS || bricks > INT32_MAX) return 0;
     crystal->low[k] = crystal->high[k] = crystal->molecule.xyz[k];
   }
   for (uint32_t m = 0; m < crystal->molecule.count; ++m) {
