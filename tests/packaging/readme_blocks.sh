@@ -35,7 +35,7 @@ cmake() {
 export -f cmake
 ln -s "$source" hardsphere
 cp "$source/capi/examples/minimal.c" .
-cp "$source/capi/fortran/water.f90" .
+cp "$source"/capi/fortran/{water,minimise}.f90 .
 
 missing() { # tool that a block needs
   case $1 in
@@ -79,7 +79,7 @@ for block in "${blocks[@]}"; do
   esac
   echo "${block##*/}: $(tail -n 1 "$work/log")"
 done
-for program in water water_module water_source; do
+for program in water water_module water_source minimise_source; do
   [ ! -e $program ] || run ./$program
 done
 rm -rf build firmware
