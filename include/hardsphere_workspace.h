@@ -830,7 +830,8 @@ static inline int32_t hsp_workspace_moving(hsp_workspace *work, const double *si
 #if HSP_HAS_BOXES
 
 /** Compute the union of n balls in a periodic box, as a request says; arguments and statuses as
- *  hsp_periodic_compute_with. It neither needs nor changes the model of the workspace. */
+ *  hsp_periodic_compute_with. It neither needs nor changes the model of the workspace; where the box takes more memory
+ *  than before pores are lost, those of the model, too. */
 static inline int32_t hsp_workspace_periodic_with(hsp_workspace *work, uint32_t n, const double *xyz,
                                                   const double *radius, const double *box,
                                                   const hsp_periodic_request *request, uint32_t *first_bad) {

@@ -549,7 +549,8 @@ contains
   ! ---- periodic.h
 
   ! Computes the union of n balls in a periodic box, as a request says; arguments and statuses as
-  ! hsp_periodic_compute_with. It neither needs nor changes the model of the workspace.
+  ! hsp_periodic_compute_with. It neither needs nor changes the model of the workspace; where the box takes more memory
+  ! than before pores are lost, those of the model, too.
   function compute_periodic_with(self, n, xyz, radius, box, request, first_bad) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t), value :: n

@@ -420,7 +420,8 @@ contains
   ! ---- periodic.h
 
   ! Computes the union of n balls in a periodic box, as a request says; arguments and statuses as
-  ! hsp_periodic_compute_with. It neither needs nor changes the model of the workspace.
+  ! hsp_periodic_compute_with. It neither needs nor changes the model of the workspace; where the box takes more memory
+  ! than before pores are lost, those of the model, too.
   ! <compute periodic_with>
 
   ! The same without a request; arguments and statuses as hsp_periodic_compute.

@@ -263,7 +263,8 @@ static inline int32_t hsp_workspace_moving(hsp_workspace *work, const double *si
 /* ---- periodic.h */
 
 /** Compute the union of n balls in a periodic box, as a request says; arguments and statuses as
- *  hsp_periodic_compute_with. It neither needs nor changes the model of the workspace. */
+ *  hsp_periodic_compute_with. It neither needs nor changes the model of the workspace; where the box takes more memory
+ *  than before pores are lost, those of the model, too. */
 /* <compute periodic_with> */
 
 /** The same without a request; arguments and statuses as hsp_periodic_compute. */
