@@ -83,12 +83,12 @@ static int32_t search_grid(struct search *search, const struct balls *receptor, 
 int main(int count, char **arguments) {
   struct balls receptor = {0, NULL, NULL}, ligand = {0, NULL, NULL};
   hsp_workspace work = {0};
-  if (count < 3 || count > 4) {
+  const double step = count == 4 ? strtod(arguments[3], NULL) : 1.0;
+  if (count < 3 || count > 4 || !(step > 0)) {
     fprintf(stderr, "usage: docking RECEPTOR.xyzr LIGAND.xyzr [STEP]\n");
     return 2;
   }
-  const double step = count == 4 ? strtod(arguments[3], NULL) : 1.0;
-  int done = step > 0 && read_balls(arguments[1], &receptor) && read_balls(arguments[2], &ligand);
+  int done = read_balls(arguments[1], &receptor) && read_balls(arguments[2], &ligand);
   uint32_t *ids = malloc((receptor.count + 1) * sizeof *ids);
   done = done && ids != NULL;
   if (done) {

@@ -225,6 +225,11 @@ TEST(Examples, DockingOfTwoBalls) {
   ASSERT_EQ(std::sscanf(lines[1].c_str(), "best shift %lf %lf %lf: 1 contacts", &x, &y, &z), 3) << lines[1];
   EXPECT_GT(x * x + y * y + z * z, 2.25);
   EXPECT_LE(x * x + y * y + z * z, 6.25);
+  for (const char *step : {"0", "-1", "nan", "much"}) {
+    const Outcome refused = run_example("docking", {receptor.path(), ligand.path(), step});
+    EXPECT_EQ(refused.status, 2) << step;
+    EXPECT_EQ(refused.err.rfind("usage: docking", 0), 0u) << refused.err;
+  }
 }
 
 struct PrintedPose {
