@@ -92,7 +92,8 @@ int main(int count, char **arguments) {
   double *memory = calloc(10 * n + 1, sizeof *memory);
   done = done && memory != NULL;
   if (done) {
-    system.start = memcpy(memory, system.balls.xyz, 3 * n * sizeof *memory);
+    system.start = memory;
+    if (n > 0) memcpy(system.start, system.balls.xyz, 3 * n * sizeof *memory);
     system.velocity = memory + 3 * n;
     system.force = memory + 6 * n;
     system.sigma = memory + 9 * n;
