@@ -178,7 +178,7 @@ static int32_t merge(struct block *into, struct block *last) {
   return status;
 }
 
-enum { PLACE_BITS = 21, MOST_CELLS = 1 << 30 }; /* along an axis */
+enum { PLACE_BITS = 21, MOST_CELLS = 1 << 29 }; /* along an axis */
 
 /* The place of a brick on the Z-order: the bits of its three numbers by turns. */
 static uint64_t place_of(const int at[3]) {
