@@ -278,12 +278,7 @@ contains
     request%executor = self%executor
     smooth = .false.
     if (present(use_surface)) smooth = use_surface
-    status = HSP_OK
-    if (.not. c_associated(self%mesh)) then
-      status = hsp_mesh_limits_init(self%mesh_limits, limits%struct_size, self%boundary, edge)
-      if (status /= HSP_OK) return
-      status = HSP_E_CAPACITY
-    end if
+    status = merge(HSP_OK, HSP_E_CAPACITY, c_associated(self%mesh))
     do
       if (status == HSP_E_CAPACITY) then
         status = raise_mesh_limits(self, edge, smooth)
@@ -497,7 +492,7 @@ contains
 
   ! ---- mesh.h
 
-  ! Limits of the mesh that suffice for edges of this length, too.
+  ! Limits of the mesh that suffice for edges of this length, too; for them alone where there is no mesh yet.
   function raise_mesh_limits(self, edge, smooth) result(status)
     class(hsp_workspace), intent(inout), target :: self
     real(c_double), intent(in) :: edge
@@ -510,6 +505,7 @@ contains
       status = hsp_mesh_limits_init(wanted, wanted%struct_size, self%boundary, edge)
     end if
     if (status /= HSP_OK) return
+    if (.not. c_associated(self%mesh)) self%mesh_limits = wanted
     self%mesh_limits%balls = max(self%mesh_limits%balls, wanted%balls)
     self%mesh_limits%curves = max(self%mesh_limits%curves, wanted%curves)
     self%mesh_limits%vertices = max(self%mesh_limits%vertices, wanted%vertices)

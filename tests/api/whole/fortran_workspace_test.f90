@@ -48,6 +48,7 @@ program fortran_workspace_test
   call boxes()
   call areas()
   call shells()
+  call meshes()
   call ways()
   call shared()
   call stopped()
@@ -191,6 +192,26 @@ contains
     call expect(fresh%compute_surface_of([0], 1_c_int32_t), HSP_OK, 'the surface of its shell')
     call expect(hsp_surface_get_counts(fresh%surface, patches), HSP_OK, 'its patches')
     call check(patches%convex_patches == 300 .and. patches%saddle_patches == 299, 'balls and saddles of a row')
+  end subroutine
+
+  ! Of a small ball in a large probe's surface: as triangles this has room where that would have none.
+  subroutine meshes()
+    type(hsp_workspace), target :: fresh
+    type(hsp_model_options) :: options
+    type(hsp_mesh_counts) :: counts
+    real(c_double), parameter :: xyz(3, 1) = 0, radius(1) = 0.1_c_double, edge = 0.002_c_double
+    call expect(hsp_model_options_init(options, options%struct_size), HSP_OK, 'options')
+    options%probe = 10
+    call expect(fresh%set(1_c_int32_t, xyz, radius, options), HSP_OK, 'a ball')
+    call expect(fresh%compute_boundary(), HSP_OK, 'its boundary')
+    call expect(fresh%compute_surface(), HSP_OK, 'its surface')
+    call expect(fresh%compute_mesh(edge), HSP_E_RANGE, 'more triangles than there may be')
+    call expect(fresh%compute_mesh(edge, use_surface=.true.), HSP_OK, 'those of its surface')
+    call expect(hsp_mesh_get_counts(fresh%mesh, counts), HSP_OK, 'how many')
+    call check(2*counts%vertices - counts%triangles == 4 .and. counts%triangles > 10000, 'one closed surface')
+    call expect(fresh%compute_mesh(2*edge, use_surface=.true.), HSP_OK, 'fewer of them')
+    call expect(fresh%compute_mesh(edge), HSP_E_RANGE, 'still more than there may be')
+    call expect(fresh%compute_mesh(1.0_c_double), HSP_OK, 'large ones of the boundary')
   end subroutine
 
   ! The widest tunnel between balls, and the cheapest one, which is another.
