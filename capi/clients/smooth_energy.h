@@ -63,7 +63,8 @@ static inline int32_t smooth_energy_set(smooth_energy *s, uint32_t n, const doub
   for (which = 0; which < s->sets && status == HSP_OK; ++which) {
     for (i = 0; i < n; ++i) {
       const double grown = radius[i] + (which == 0 ? s->window : -s->window) * (s->sigma == NULL ? 1 : s->sigma[i]);
-      s->radius[i] = grown > 0 ? grown : 0;
+      if (radius[i] < 0 || s->window < 0) return HSP_E_NEGATIVE;
+      s->radius[i] = grown < 0 ? 0 : grown; /* NaN stays, and is refused */
     }
     status = hsp_workspace_set(&s->set[which], n, xyz, s->radius, &options, NULL);
     if (status == HSP_OK) status = hsp_workspace_boundary(&s->set[which]);

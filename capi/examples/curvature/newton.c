@@ -161,7 +161,7 @@ int main(int count, char **arguments) {
     here = there;
   }
   if (status != HSP_OK) fprintf(stderr, "newton: %s\n", hsp_status_text(status));
-  printf("ends at energy %.10f, gradient %.1e\n", here.value, largest(here.gradient));
+  if (status == HSP_OK) printf("ends at energy %.10f, gradient %.1e\n", here.value, largest(here.gradient));
   smooth_energy_free(&surface);
   return status == HSP_OK ? 0 : 1;
 }

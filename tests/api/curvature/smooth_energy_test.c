@@ -95,8 +95,28 @@ static void check_memory(void) {
   smooth_energy_free(&surface);
 }
 
+/* A negative radius, NaN and a window below 0 are refused, and not taken for 0. */
+static void check_refused(void) {
+  const double xyz[6] = {0, 0, 0, 1, 0, 0}, negative[2] = {1, -1}, unknown[2] = {1, NAN}, good[2] = {1, 1};
+  smooth_energy surface = {.step = 1e-8, .largest_radius = 3};
+  int k;
+  check_scene("refused");
+  for (k = 0; k < 2; ++k) {
+    surface.window = k == 0 ? 0 : 0.0625;
+    CHECK_EQUAL(smooth_energy_set(&surface, 2, xyz, negative), HSP_E_NEGATIVE);
+    CHECK_EQUAL(smooth_energy_set(&surface, 2, xyz, unknown), HSP_E_NOT_FINITE);
+    CHECK_EQUAL(smooth_energy_set(&surface, 2, xyz, good), HSP_OK);
+  }
+  surface.window = -0.0625;
+  CHECK_EQUAL(smooth_energy_set(&surface, 2, xyz, good), HSP_E_NEGATIVE);
+  surface.window = NAN;
+  CHECK_EQUAL(smooth_energy_set(&surface, 2, xyz, good), HSP_E_NOT_FINITE);
+  smooth_energy_free(&surface);
+}
+
 int main(void) {
   check_memory();
+  check_refused();
   check_scan(1.2, 1, 1, 0.0625);
   check_scan(1.5, 1.25, 0.5, 0.125);
   check_scan(1, 0.75, -0.5, 0.0625);
