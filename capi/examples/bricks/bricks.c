@@ -15,6 +15,8 @@
 #include "../../clients/brick_summaries.h"
 #include "../read_balls.h"
 
+enum { LONGEST_PATH = 4096 };
+
 static volatile sig_atomic_t interrupted = 0;
 static void interrupt(int number) {
   (void)number;
@@ -100,7 +102,7 @@ static int make_brick(struct crystal *crystal, const int first[3], uint32_t bric
   crystal->balls.count = 0;
   for (int k = 0; k < 3; ++k) {
     const double reach = 2 * crystal->largest_radius, side = crystal->side[k];
-    const int last = first[k] + crystal->size < crystal->cells[k] ? first[k] + crystal->size : crystal->cells[k];
+    const int last = crystal->size < crystal->cells[k] - first[k] ? first[k] + crystal->size : crystal->cells[k];
     low[k] = first[k] * side + crystal->low[k] - reach - 1e-6 * side;
     high[k] = (last - 1) * side + crystal->high[k] + reach + 1e-6 * side;
     /* Cells whose molecule reaches into that. */
@@ -148,7 +150,7 @@ static int read_summary(const char *path, brick_summary *summary) {
 
 /* Under another name first, so that a run that dies leaves no half of one. */
 static int write_summary(const char *path, const brick_summary *summary) {
-  char half[600];
+  char half[LONGEST_PATH + 8];
   snprintf(half, sizeof half, "%s.half", path);
   FILE *const file = fopen(half, "wb");
   if (file == NULL) return 0;
@@ -158,15 +160,17 @@ static int write_summary(const char *path, const brick_summary *summary) {
 
 static int32_t summarise(struct crystal *crystal, const int first[3], brick_summary *summary) {
   const uint32_t brick = brick_at(crystal, first);
-  char path[512];
+  char path[LONGEST_PATH];
   if (crystal->folder != NULL) {
-    snprintf(path, sizeof path, "%s/%u.brick", crystal->folder, (unsigned)brick);
+    const int length = snprintf(path, sizeof path, "%s/%u.brick", crystal->folder, (unsigned)brick);
+    if (length < 0 || (size_t)length >= sizeof path) return HSP_E_SINK;
     if (read_summary(path, summary)) return HSP_OK;
   }
   if (!make_brick(crystal, first, brick)) return HSP_E_MEMORY;
   const int32_t status = compute(crystal, brick, summary);
-  if (status == HSP_OK && crystal->folder != NULL && !write_summary(path, summary)) perror(path);
-  return status;
+  if (status != HSP_OK || crystal->folder == NULL || write_summary(path, summary)) return status;
+  perror(path);
+  return crystal->parts > 1 ? HSP_E_SINK : HSP_OK; /* of a part nothing else is left */
 }
 
 static int32_t merge(struct block *into, struct block *last) {
