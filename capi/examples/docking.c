@@ -2,12 +2,14 @@
  *   docking RECEPTOR.xyzr LIGAND.xyzr [STEP]      x y z r on each line
  * A place clashes if a ball of the ligand meets a ball of the receptor. Contacts are the balls of the receptor within
  * `reach` of the ligand's surface. The receptor is hashed once; each question is one query. */
+#include <float.h>
 #include <hardsphere_workspace.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "read_balls.h"
 
+enum { MOST_STEPS = 100000 };
 static const double reach = 1.0;
 
 struct search {
@@ -57,7 +59,9 @@ static int32_t search_grid(struct search *search, const struct balls *receptor, 
     bounds(receptor, axis, &low, &high);
     bounds(search->ligand, axis, &own_low, &own_high);
     first[axis] = low - own_high - reach;
-    steps[axis] = (uint32_t)((high - own_low + reach - first[axis]) / step) + 1;
+    const double last = (high - own_low + reach - first[axis]) / step;
+    if (!(last < MOST_STEPS)) return HSP_E_RANGE;
+    steps[axis] = (uint32_t)last + 1;
   }
   for (uint32_t i = 0; i < steps[0]; ++i) {
     for (uint32_t j = 0; j < steps[1]; ++j) {
@@ -75,8 +79,13 @@ static int32_t search_grid(struct search *search, const struct balls *receptor, 
       }
     }
   }
+  if (status != HSP_OK) return status;
   printf("%lu places, %lu of them clash, %lu queries\n", search->places, search->clashes, search->queries);
-  printf("best shift %g %g %g: %u contacts\n", best[0], best[1], best[2], (unsigned)most);
+  if (most == 0) {
+    printf("no contact without a clash in any of these places\n");
+  } else {
+    printf("best shift %g %g %g: %u contacts\n", best[0], best[1], best[2], (unsigned)most);
+  }
   return status;
 }
 
@@ -84,7 +93,7 @@ int main(int count, char **arguments) {
   struct balls receptor = {0, NULL, NULL}, ligand = {0, NULL, NULL};
   hsp_workspace work = {0};
   const double step = count == 4 ? strtod(arguments[3], NULL) : 1.0;
-  if (count < 3 || count > 4 || !(step > 0)) {
+  if (count < 3 || count > 4 || !(step > 0 && step <= DBL_MAX)) {
     fprintf(stderr, "usage: docking RECEPTOR.xyzr LIGAND.xyzr [STEP]\n");
     return 2;
   }

@@ -131,8 +131,9 @@ static int run(FILE *file, double probe, struct trajectory *trajectory, struct f
   }
   if (watched) fprintf(stderr, "\n");
   if (found < 0) fprintf(stderr, "frames: frame %lu: not an atom record\n", number + 1);
+  if (ferror(file)) fprintf(stderr, "frames: the file cannot be read\n");
   printf("# frames: %lu; memory sized: %u\n", number, trajectory->sizings);
-  return found == 0;
+  return found == 0 && !ferror(file);
 }
 
 int main(int count, char **arguments) {

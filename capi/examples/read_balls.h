@@ -35,9 +35,19 @@ static inline int read_balls(const char *path, struct balls *balls) {
   int good = 1;
   while (good && fgets(line, sizeof line, file) != NULL) {
     double ball[4];
+    int next = '\n', cut = 0;
+    if (strchr(line, '\n') == NULL) {
+      while ((next = getc(file)) != '\n' && next != EOF) cut = 1;
+    }
+    good = !cut || strchr(line, '#') != NULL; /* of long lines only the comments are cut off */
     line[strcspn(line, "#")] = '\0';
-    if (line[strspn(line, " \t\r\n")] == '\0') continue;
+    if (!good || line[strspn(line, " \t\r\n")] == '\0') continue;
     good = sscanf(line, "%lf %lf %lf %lf", &ball[0], &ball[1], &ball[2], &ball[3]) == 4 && add_ball(balls, ball);
+  }
+  if (ferror(file)) {
+    perror(path);
+    fclose(file);
+    return 0;
   }
   fclose(file);
   if (!good) fprintf(stderr, "%s: expected x y z r on each line\n", path);

@@ -24,6 +24,7 @@ inline void add_balls(Balls &balls, const std::string &path) {
     balls.xyz.insert(balls.xyz.end(), {x, y, z});
     balls.radius.push_back(r);
   }
+  if (file.bad()) throw std::runtime_error(path + ": cannot be read");
 }
 
 #endif

@@ -33,6 +33,12 @@ if [ "$which" = sources ]; then
     grep -qx "$count" <<<"$counts" || fail "inside.md: no client has $count lines"
   done < <(awk -F'|' 'NF > 6 { print $5 }' "$guide/inside.md" | grep -oE '[0-9]+')
 fi
+# How much longer examples in C are than their twins in C++, as the page on languages has it.
+if [ "$which" = sources ]; then
+  twins=$(cd "$root/capi/examples" && find . -name '*.cpp' | sed 's/pp$//' | xargs cat | grep -c .)
+  shorter=$(cd "$root/capi/examples" && find . -name '*.cpp' -exec cat {} + | grep -c .)
+  grep -qF "$twins lines become $shorter" "$guide/languages.md" || fail "languages.md: $twins lines become $shorter"
+fi
 lines=$(wc -l <"$readme")
 [ "$lines" -le 200 ] || fail "$readme has $lines lines; 200 are what one reads. The guide has room for the rest"
 

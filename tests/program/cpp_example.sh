@@ -30,21 +30,30 @@ head -n 150 "$work/crambin.xyzr" >"$work/first.xyzr"
 tail -n +151 "$work/crambin.xyzr" >"$work/second.xyzr"
 printf '0 0 0 -1\n' >"$work/negative.xyzr"
 printf '0 0 0\n' >"$work/short.xyzr"
+: >"$work/empty.xyzr"
+printf '0 0 0 1e-300\n' >"$work/tiny.xyzr"
+{
+  printf '#%600s1 2 3 1\n' ''
+  cat "$good/three_comments.xyzr"
+} >"$work/comment.xyzr"
 
 case $example in
   cavities) calls=("" "$good/cage.xyzr" "$good/cage.xyzr 0.1 3 3 3" "$work/crambin.xyzr 1.4 9.6 12.8 5.7"
-    "$work/crambin.xyzr 0.3" "$work/negative.xyzr" "$work/short.xyzr" "$work/none") ;;
+    "$work/crambin.xyzr 0.3" "$work/negative.xyzr" "$work/short.xyzr" "$work/none" "$work" "$work/empty.xyzr 1 2 3 4"
+    "$work/comment.xyzr 1 2 3 4") ;;
   interface) calls=("$work/first.xyzr $work/second.xyzr" "$work/first.xyzr $work/second.xyzr 0"
-    "$good/one.xyzr $good/apart.xyzr" "/dev/null /dev/null" "$work/first.xyzr"
-    "$work/negative.xyzr $work/first.xyzr") ;;
+    "$good/one.xyzr $good/apart.xyzr" "$work/first.xyzr" "$work/negative.xyzr $work/first.xyzr"
+    "$work/empty.xyzr $work/empty.xyzr" "$work/first.xyzr $work/empty.xyzr") ;;
   neighbour_list) calls=("$work/crambin.xyzr 6" "$work/crambin.xyzr 4 print" "$good/three_comments.xyzr 9 print"
-    "$work/crambin.xyzr -1" "$work/crambin.xyzr" "$work/short.xyzr 3") ;;
+    "$work/crambin.xyzr -1" "$work/crambin.xyzr" "$work/short.xyzr 3" "$work/empty.xyzr 3 print" "$work/comment.xyzr 9 print") ;;
   solvent_box) calls=("$work/crambin.xyzr 41 19 23" "$work/first.xyzr 30 30 30" "$work/crambin.xyzr 41 19"
-    "$work/crambin.xyzr 1 1 1" "$work/none 30 30 30" "$work/negative.xyzr 30 30 30") ;;
+    "$work/crambin.xyzr 1 1 1" "$work/none 30 30 30" "$work/negative.xyzr 30 30 30"
+    "$work/empty.xyzr 30 30 30" "$good/one.xyzr 2900 3 3") ;;
   monte_carlo) calls=("$work/first.xyzr $work/second.xyzr 2000" "$work/second.xyzr $good/one.xyzr 500"
-    "$work/first.xyzr" "$work/first.xyzr $work/negative.xyzr") ;;
-  single_atoms) calls=("$work/first.xyzr 2000" "$good/cage.xyzr 500" "$work/none" "$work/negative.xyzr 10") ;;
-  pores) calls=("" "$work/first.xyzr 20" "$work/crambin.xyzr" "$good/one.xyzr" "$work/none" "$work/negative.xyzr") ;;
+    "$work/first.xyzr" "$work/first.xyzr $work/negative.xyzr" "$work/empty.xyzr $work/empty.xyzr 100") ;;
+  single_atoms) calls=("$work/first.xyzr 2000" "$good/cage.xyzr 500" "$work/none" "$work/negative.xyzr 10" "$work/empty.xyzr 10"
+    "$work/tiny.xyzr 10") ;;
+  pores) calls=("" "$work/first.xyzr 20" "$work/crambin.xyzr" "$good/one.xyzr" "$work/none" "$work/negative.xyzr" "$work/empty.xyzr") ;;
 esac
 refused=0
 for call in "${calls[@]}"; do

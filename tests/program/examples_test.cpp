@@ -608,6 +608,33 @@ TEST(Examples, BricksHaveTheWholesVoids) {
   }
 }
 
+// Of a part of the bricks nothing but the summaries is left, so that one that cannot be kept is a failure; a whole has
+// its totals without.
+TEST(Examples, BricksSayWhatIsNotKept) {
+  const TemporaryFile file("one.xyzr", "0 0 0 1.5\n");
+  std::vector<std::string> arguments = {file.path(), "2", "2", "2", "2", "2", "2", "1", "no_such_folder"};
+  const Outcome whole = run_example("bricks", arguments);
+  EXPECT_EQ(whole.status, 0);
+  EXPECT_NE(whole.err.find("no_such_folder/0.brick:"), std::string::npos) << whole.err;
+  arguments.insert(arguments.end(), {"0", "2"});
+  EXPECT_EQ(run_example("bricks", arguments).status, 1);
+  // Names of summaries are whole or refused.
+  arguments[8] = std::string(5000, 'd');
+  EXPECT_EQ(run_example("bricks", arguments).status, 1);
+}
+
+TEST(Examples, BricksOfLargeNumbers) {
+  const TemporaryFile file("one.xyzr", "0 0 0 1.5\n");
+  const auto run = [&](const char *cells, const char *size) {
+    return run_example("bricks", {file.path(), "2", "2", "2", cells, cells, cells, size});
+  };
+  const Outcome one = run("2", "2");
+  EXPECT_EQ(one.out.rfind("8 balls, 1 components, 1 voids", 0), 0u) << one.out;
+  EXPECT_EQ(run("2", "2147483647").out, one.out);
+  EXPECT_EQ(run("100000", "1").status, 2);
+  EXPECT_EQ(run("2147483647", "2147483647").status, 2);
+}
+
 TEST(Examples, RefuseBadFiles) {
   const TemporaryFile bad("bad.xyzr", "0 0 0 1\n0 0 1\n");
   const std::string good = "good/one.xyzr";
@@ -631,6 +658,53 @@ TEST(Examples, RefuseBadFiles) {
     EXPECT_EQ(outcome.err.rfind(bad.path() + ":", 0), 0u) << outcome.err;
     EXPECT_EQ(run_example(example, {}).status, 2) << example;
   }
+}
+
+// Numbers in a comment are none, however long it is; a line without a comment is read whole or not at all; a folder is
+// no file.
+TEST(Examples, ReadLinesOfAnyLength) {
+  const std::string one = "0 0 0 1\n", blanks(600, ' ');
+  const TemporaryFile comment("comment.xyzr", "#" + blanks + "1 2 3 1\n" + one), last("last.xyzr", one + "#" + blanks),
+      cut("cut.xyzr", "1 2 3" + blanks + "1\n" + one);
+  for (const TemporaryFile *file : {&comment, &last}) {
+    EXPECT_EQ(run_example("neighbour_list", {file->path(), "1", "print"}).out, "0 pairs\n0:\n");
+  }
+  for (const std::string &refused : {cut.path(), inputs_folder()}) {
+    const Outcome outcome = run_example("neighbour_list", {refused, "1"});
+    EXPECT_EQ(outcome.status, 1) << outcome.out;
+    EXPECT_EQ(outcome.err.rfind(refused + ":", 0), 0u) << outcome.err;
+  }
+  EXPECT_EQ(run_example("frames", {inputs_folder()}).status, 1);
+}
+
+// A failure has its reason on standard error, and no result.
+TEST(Examples, SayWhyTheyFail) {
+  const TemporaryFile negative("negative.xyzr", "0 0 0 -1\n"), empty("empty.xyzr", "");
+  const std::vector<std::pair<std::string, std::vector<std::string>>> calls = {
+      {"turntable", {negative.path(), "no_picture", "1"}},
+      {"turntable", {"good/one.xyzr", std::string(5000, 'd'), "1"}},
+      {"single_atoms", {empty.path(), "10"}},
+      {"docking", {"good/one.xyzr", negative.path()}},
+      {"docking", {"good/one.xyzr", "good/one.xyzr", "1e-9"}},
+      {"newton", {"-1"}},
+      {"newton", {"nan"}},
+      {"newton", {"1e9"}}};
+  for (const auto &[example, arguments] : calls) {
+    const Outcome outcome = run_example(example, arguments);
+    EXPECT_EQ(outcome.status, 1) << example;
+    EXPECT_EQ(outcome.out, "") << example;
+    EXPECT_EQ(outcome.err.rfind(example + ": ", 0), 0u) << example << ": " << outcome.err;
+  }
+  for (const char *step : {"0", "nan", "inf"}) {
+    EXPECT_EQ(run_example("docking", {"good/one.xyzr", "good/one.xyzr", step}).status, 2) << step;
+  }
+}
+
+// In steps of 100 one place is tried, in which nothing touches: it has no best one.
+TEST(Examples, DockingWithoutContacts) {
+  const Outcome outcome = run_example("docking", {"good/one.xyzr", "good/one.xyzr", "100"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.out.find("best"), std::string::npos) << outcome.out;
 }
 
 // It compares itself with a new computation; how many moves are taken depends on the random numbers alone.

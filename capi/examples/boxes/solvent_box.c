@@ -128,7 +128,7 @@ int main(int count, char **arguments) {
   int good = count == 5;
   for (int axis = 0; axis < 3 && good; ++axis) {
     box.vector[4 * axis] = strtod(arguments[2 + axis], NULL);
-    good = box.vector[4 * axis] >= spacing && box.vector[4 * axis] < 1000 * spacing;
+    good = box.vector[4 * axis] >= spacing && box.vector[4 * axis] <= 1000 * spacing;
   }
   if (!good) {
     fprintf(stderr, "usage: solvent_box FILE.xyzr AX BY CZ      lengths from %g to %g\n", spacing, 1000 * spacing);

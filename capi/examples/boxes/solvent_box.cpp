@@ -39,7 +39,7 @@ int main(int count, char **arguments) try {
   bool good = count == 5;
   for (int axis = 0; axis < 3 && good; ++axis) {
     length[axis] = std::strtod(arguments[2 + axis], nullptr);
-    good = length[axis] >= spacing && length[axis] < 1000 * spacing;
+    good = length[axis] >= spacing && length[axis] <= 1000 * spacing;
   }
   if (!good) {
     std::fprintf(stderr, "usage: solvent_box FILE.xyzr AX BY CZ      lengths from %g to %g\n", spacing, 1000 * spacing);

@@ -115,7 +115,11 @@ int main(int count, char **arguments) {
     return 2;
   }
   const unsigned long moves = count == 3 ? strtoul(arguments[2], NULL, 10) : 100000;
-  int done = read_balls(arguments[1], &balls) && balls.count > 0;
+  int done = read_balls(arguments[1], &balls);
+  if (done && balls.count == 0) {
+    fprintf(stderr, "single_atoms: there are no atoms\n");
+    done = 0;
+  }
   if (done) {
     const size_t bytes = 3 * (size_t)balls.count * sizeof *walk.xyz;
     walk.start = balls.xyz;

@@ -41,7 +41,7 @@ int main(int count, char **arguments) try {
   const unsigned long moves = count == 3 ? std::strtoul(arguments[2], nullptr, 10) : 100000;
   Balls balls;
   add_balls(balls, arguments[1]);
-  if (balls.radius.empty()) return 1;
+  if (balls.radius.empty()) throw std::runtime_error("there are no atoms");
   hardsphere::moving walk(balls.xyz, balls.radius, {.tension = tension}, {.probe = probe});
   std::vector<double> xyz = balls.xyz;
   const double first = walk.energy().value;
@@ -69,7 +69,7 @@ int main(int count, char **arguments) try {
   if (seconds.count() > 0) std::printf("%.0f moves a second\n", static_cast<double>(moves) / seconds.count());
 
   // A model of the atoms as they are, computed once for all, by the same lattice and largest radius.
-  hardsphere::workspace anew(xyz, balls.radius);
+  hardsphere::workspace anew(xyz, balls.radius, {.probe = probe});
   hardsphere::check(hsp_moving_get_model(walk.handle(), anew->model));
   const double value = anew.gradient({.tension = tension}).energy.value;
   hsp_boundary_counts counts{};

@@ -57,10 +57,12 @@ static int32_t write_frames(const struct balls *balls, const char *prefix, int f
   picture.width = picture.height = side;
   picture.scale = reach > 0.0 ? side / (2.1 * reach) : 1.0;
   if (status == HSP_OK) status = hsp_workspace_set(&work, balls->count, balls->xyz, balls->radius, NULL, NULL);
+  if (status != HSP_OK) fprintf(stderr, "turntable: %s\n", hsp_status_text(status));
   for (int frame = 0; frame < frames && status == HSP_OK; ++frame) {
-    char path[256];
-    snprintf(path, sizeof path, "%s%03d.svg", prefix, frame);
-    status = write_frame(&work, 360.0 * frame / frames, &picture, path);
+    char path[4096];
+    const int length = snprintf(path, sizeof path, "%s%03d.svg", prefix, frame);
+    status = length < 0 || (size_t)length >= sizeof path ? HSP_E_SINK
+                                                         : write_frame(&work, 360.0 * frame / frames, &picture, path);
     if (status != HSP_OK) fprintf(stderr, "turntable: %s: %s\n", path, hsp_status_text(status));
   }
   hsp_workspace_free(&work);

@@ -130,7 +130,10 @@ int main(int argc, char **argv) {
   struct balls balls = {0, NULL, NULL};
   hsp_workspace work = {0};
   const uint32_t most = argc > 2 ? (uint32_t)strtoul(argv[2], NULL, 10) : 10;
-  if (!(argc > 1 ? read_balls(argv[1], &balls) : take_rooms(&balls))) return 1;
+  if (!(argc > 1 ? read_balls(argv[1], &balls) : take_rooms(&balls))) {
+    free_balls(&balls);
+    return 1;
+  }
   int32_t status = hsp_workspace_set(&work, balls.count, balls.xyz, balls.radius, NULL, NULL);
   if (status == HSP_OK) status = hsp_workspace_pores(&work, NULL);
   if (status == HSP_OK) status = print_classes(&work, most);
@@ -138,7 +141,6 @@ int main(int argc, char **argv) {
   if (status == HSP_OK) status = print_pockets(&work, 0.3);
   if (status != HSP_OK) fprintf(stderr, "pores: %s\n", hsp_status_text(status));
   hsp_workspace_free(&work);
-  free(balls.xyz);
-  free(balls.radius);
+  free_balls(&balls);
   return status == HSP_OK ? 0 : 1;
 }
