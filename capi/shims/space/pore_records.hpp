@@ -38,14 +38,26 @@ inline int32_t round_point(const hsp_pores &pores, const double *xyz, exact::Vec
 }
 
 // The highest level that is `radius` or less in the caller's unit. So a probe that is exactly as wide as a gate, to the
-// last bit, does not pass it. level: an estimate of the result.
+// last bit, does not pass it. level: an estimate of the result. It is a few doubles away from the result as a rule, but
+// up to 2^52 where lengths are so small that thousands of levels are rounded to one: so strides double, and are halved
+// again.
 inline double highest_level(const hsp_pores &pores, double level, double radius) {
-  const auto above = [](double x) { return std::bit_cast<double>(std::bit_cast<int64_t>(x) + (x > 0.0 ? 1 : -1)); };
-  const auto below = [](double x) { return std::bit_cast<double>(std::bit_cast<int64_t>(x) - (x > 0.0 ? 1 : -1)); };
   if (std::fabs(level) < 0x1p-40) return level;  // no gate has so small a level
-  while (pores.lattice().length(level) > radius) level = below(level);
-  while (pores.lattice().length(above(level)) <= radius) level = above(level);
-  return level;
+  const auto moved = [level](int64_t by) {
+    return std::bit_cast<double>(std::bit_cast<int64_t>(level) + (level > 0.0 ? by : -by));
+  };
+  const auto is_within = [&](int64_t by) { return pores.lattice().length(moved(by)) <= radius; };
+  int64_t within = 0, beyond = 1;
+  if (is_within(0)) {
+    for (; is_within(beyond); beyond *= 2) within = beyond;
+  } else {
+    for (within = -1, beyond = 0; !is_within(within); within *= 2) beyond = within;
+  }
+  while (beyond - within > 1) {
+    const int64_t between = within + (beyond - within) / 2;
+    (is_within(between) ? within : beyond) = between;
+  }
+  return moved(within);
 }
 
 // Whether a level is not below the floor of the pores, and on the lattice.

@@ -189,6 +189,32 @@ static void classes(void) {
   CHECK_EQUAL(hsp_pores_gate_between(pores, 0, 9, &number), HSP_E_ID);
 }
 
+/* On the finest lattice lengths of less than some steps are subnormal: up to 2^51 levels have the same one. */
+static void probes_of_next_to_no_width(void) {
+  static const double widths[4] = {1e-321, 1e-318, 1e-315, 1e-310};
+  const hsp_model_options finest = {(uint32_t)sizeof finest, 0, 0, 5.6e-309, 0};
+  const double side = 1e6 * finest.step;
+  double xyz[24], radii[8];
+  uint32_t k;
+  for (k = 0; k < 8; ++k) {
+    xyz[3 * k] = 4 * side * (k & 1);
+    xyz[3 * k + 1] = 4 * side * (k >> 1 & 1);
+    xyz[3 * k + 2] = 4 * side * (k >> 2 & 1);
+    radii[k] = side;
+  }
+  CHECK_EQUAL(hsp_model_set(model, 8, xyz, radii, &finest, NULL), HSP_OK);
+  compute(-0.5 * side);
+  CHECK(counts.maxima == 1 && counts.gates == 6);
+  for (k = 0; k < 8; ++k) {
+    const double width = (k & 1) != 0 ? widths[k / 2] : -widths[k / 2];
+    CHECK_EQUAL(hsp_pores_class_at(pores, 0, width, &number), HSP_OK);
+    CHECK_EQUAL(number, HSP_PORE_OUTSIDE);
+    CHECK_EQUAL(hsp_pores_get_channels(pores, width, NULL, 0, &number), HSP_OK);
+    CHECK_EQUAL(number, 0);
+    CHECK_EQUAL(hsp_pores_find_pockets(pores, width, side, &number), HSP_OK);
+  }
+}
+
 /* From the middle and from beside it: once the gates that are avoided close the cage nothing gets out. */
 static void tunnels_avoid_gates(void) {
   uint32_t avoided[GATES], count = 0, k;
@@ -264,6 +290,7 @@ int main(void) {
   floors();
   pockets_come_and_go();
   classes();
+  probes_of_next_to_no_width();
   tunnels_avoid_gates();
   few_balls();
   return check_report();
