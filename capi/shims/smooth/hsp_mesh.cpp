@@ -61,10 +61,15 @@ hsp::Vec3 corner_of(const hsp::Mesh &mesh, const hsp::MeshTriangle &triangle, ui
   return {xyz[0], xyz[1], xyz[2]};
 }
 
+// Areas of lengths below 1e-70 or above 1e70 may have squares that are no normal doubles: they are scaled by a power of
+// two first, which changes no bits of others.
 double third_of_area(const hsp::Mesh &mesh, const hsp::MeshTriangle &triangle) {
   const hsp::Vec3 first = corner_of(mesh, triangle, 0);
   const hsp::Vec3 twice = cross(corner_of(mesh, triangle, 1) - first, corner_of(mesh, triangle, 2) - first);
-  return std::sqrt(dot(twice, twice)) / 6;
+  const double square = dot(twice, twice);
+  const double scale = square < 0x1p-900 ? 0x1p400 : square > 0x1p900 ? 0x1p-400 : 1.0;
+  const hsp::Vec3 scaled = scale * twice;
+  return std::sqrt(dot(scaled, scaled)) / scale / 6;
 }
 
 // Gives each vertex share(t) of each triangle t around it.

@@ -1,4 +1,4 @@
-/* Edges of the mesh that are too long or too short, and every call of its functions out of order. */
+/* Edges of the mesh that are too long or too short, lengths of any size, and its functions out of order. */
 #include <hardsphere.h>
 #include <math.h>
 
@@ -123,6 +123,44 @@ static void changes(void) {
   check_has_results();
 }
 
+/* The areas of a mesh, and weights of patches that each have the area 1, both in squares of a step. */
+static void measure_on(double step, double *area, double *weight) {
+  static const double steps[BALLS][4] = {{0, 0, 0, 2e6}, {3e6, 0, 0, 2e6}, {0, 3e6, 0, 2e6}};
+  static double areas[VERTICES], weights[VERTICES];
+  const hsp_model_options options = {(uint32_t)sizeof options, 0, 0, step, 0};
+  double xyz[3 * BALLS], radius[BALLS], of_patch[32];
+  uint32_t k, axis;
+  *area = *weight = 0;
+  for (k = 0; k < BALLS; ++k) {
+    for (axis = 0; axis < 3; ++axis) xyz[3 * k + axis] = steps[k][axis] * step;
+    radius[k] = steps[k][3] * step;
+  }
+  for (k = 0; k < 32; ++k) of_patch[k] = step * step;
+  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, &options, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_mesh_compute(mesh, boundary, 9e5 * step, NULL), HSP_OK);
+  if (!CHECK_EQUAL(hsp_mesh_get_vertices(mesh, NULL, NULL, areas, NULL, VERTICES, &needed), HSP_OK)) return;
+  CHECK_EQUAL(hsp_mesh_get_weights(mesh, of_patch, 32, weights, VERTICES, NULL), HSP_OK);
+  for (k = 0; k < needed; ++k) {
+    *area += areas[k] / step / step;
+    *weight += weights[k] / step / step;
+  }
+}
+
+/* Lengths scale: also where squares of areas are no doubles. */
+static void lengths_of_any_size(void) {
+  static const double sizes[6] = {1e-99, 1e-90, 1e-80, 1e65, 1e75, 1e89};
+  double area, weight, scaled_area, scaled_weight;
+  uint32_t k;
+  measure_on(1.0, &area, &weight);
+  CHECK_NEAR(weight, 3, 1e-12);
+  for (k = 0; k < 6; ++k) {
+    measure_on(sizes[k], &scaled_area, &scaled_weight);
+    CHECK_NEAR(scaled_area, area, 1e-10 * area);
+    CHECK_NEAR(scaled_weight, weight, 1e-12);
+  }
+}
+
 int main(void) {
   const hsp_surface_limits of_surface = {(uint32_t)sizeof of_surface, 16, 16, 16, 16, 64, 16};
   const hsp_boundary_limits of_boundary = {(uint32_t)sizeof of_boundary, BALLS, BALLS, 16, 16, 0};
@@ -137,5 +175,6 @@ int main(void) {
   CHECK_EQUAL(hsp_mesh_compute(mesh, boundary, edge, NULL), HSP_OK);
   check_has_results();
   changes();
+  lengths_of_any_size();
   return check_report();
 }
