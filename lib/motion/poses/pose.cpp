@@ -33,8 +33,10 @@ Status quaternion_of_rotation(const double *matrix, double *quaternion) {
     for (int j = 0; j <= i; ++j)
       if (!(std::fabs(dot(row[i], row[j]) - (i == j ? 1.0 : 0.0)) <= tolerance)) return Status::range;
   if (dot(cross(row[0], row[1]), row[2]) < 0) return Status::range;
-  // Four times the squares of the components. The largest component gives the others, from its products with them
-  // (Shepperd 1978).
+  // Four times the squares of the components, and their products. Of a rotation each row is the quaternion times four
+  // of its components. Else the quaternion of the nearest rotation is the eigenvector with the largest eigenvalue,
+  // nearly 4 (Davenport 1968), while the other three are some 1e-6. The row of the largest component is as exact as the
+  // matrix (Shepperd 1978). It is multiplied by the products twice, each of which leaves some 1e-6 of its error.
   const double xx = row[0].x, yy = row[1].y, zz = row[2].z;
   const double squares[4] = {1.0 + ((xx + yy) + zz), 1.0 + ((xx - yy) - zz), 1.0 + ((yy - xx) - zz),
                              1.0 + ((zz - xx) - yy)};
@@ -47,8 +49,19 @@ Status quaternion_of_rotation(const double *matrix, double *quaternion) {
   int largest = 0;
   for (int k = 1; k < 4; ++k)
     if (squares[k] > squares[largest]) largest = k;
-  const double scale = 0.5 / std::sqrt(squares[largest]);
-  for (int k = 0; k < 4; ++k) quaternion[k] = scale * products[largest][k];
+  double row_of_largest[4];
+  for (int k = 0; k < 4; ++k) row_of_largest[k] = products[largest][k];
+  for (int times = 0; times < 2; ++times) {
+    double next[4];
+    for (int k = 0; k < 4; ++k) {
+      const double *const p = products[k];
+      next[k] =
+          (p[0] * row_of_largest[0] + p[1] * row_of_largest[1]) + (p[2] * row_of_largest[2] + p[3] * row_of_largest[3]);
+    }
+    for (int k = 0; k < 4; ++k) row_of_largest[k] = next[k];
+  }
+  const double scale = 0x1p-5 / std::sqrt(squares[largest]);
+  for (int k = 0; k < 4; ++k) quaternion[k] = scale * row_of_largest[k];
   return Status::ok;
 }
 

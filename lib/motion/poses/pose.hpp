@@ -58,8 +58,8 @@ class Pose {
   Vec3 translation_{0, 0, 0};  // steps
 };
 
-// The quaternion (w, x, y, z), of length 1 but for roundings, of a rotation matrix [3][3] whose rows are orthonormal up
-// to 1e-6. Status::not_finite or Status::range for other matrices.
+// The quaternion (w, x, y, z), of length 1 up to 1e-6, of the rotation nearest to a matrix [3][3] whose rows are
+// orthonormal up to 1e-6. Status::not_finite or Status::range for other matrices.
 Status quaternion_of_rotation(const double *matrix, double *quaternion);
 
 }  // namespace hsp

@@ -91,6 +91,36 @@ TEST(Pose, FindsTheQuaternionOfAMatrix) {
   }
 }
 
+// A rotation times a symmetric matrix with positive eigenvalues is nearest to that rotation, as each matrix is to the
+// rotation of its polar decomposition.
+TEST(Pose, FindsTheRotationNearestToAMatrix) {
+  oracle::RandomSource random(10);
+  for (int k = 0; k < 3000; ++k) {
+    const PoseNumbers numbers = random_pose(random, 0);
+    const hsp::Pose pose = pose_of(numbers);
+    double stretch[3][3];
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j <= i; ++j)
+        stretch[i][j] = stretch[j][i] = (i == j ? 1.0 : 0.0) + 1e-9 * static_cast<double>(random.in(-200, 200));
+    double matrix[9];
+    for (size_t j = 0; j < 3; ++j) {
+      const hsp::Vec3 column = pose.image({stretch[0][j], stretch[1][j], stretch[2][j]});
+      matrix[j] = column.x, matrix[3 + j] = column.y, matrix[6 + j] = column.z;
+    }
+    double found[4];
+    ASSERT_EQ(hsp::quaternion_of_rotation(matrix, found), Status::ok);
+    double of_found = 0, of_given = 0, product = 0;
+    for (size_t c = 0; c < 4; ++c) {
+      of_found += found[c] * found[c];
+      of_given += numbers.quaternion[c] * numbers.quaternion[c];
+      product += numbers.quaternion[c] * found[c];
+    }
+    EXPECT_NEAR(of_found, 1, 1e-6);
+    const double scale = product / of_given;
+    for (size_t c = 0; c < 4; ++c) EXPECT_NEAR(found[c], scale * numbers.quaternion[c], 1e-14);
+  }
+}
+
 TEST(Pose, RefusesMatricesThatAreNoRotations) {
   double quaternion[4] = {7, 7, 7, 7};
   const double reflection[9] = {1, 0, 0, 0, 1, 0, 0, 0, -1}, scaled[9] = {1.00001, 0, 0, 0, 1, 0, 0, 0, 1};
