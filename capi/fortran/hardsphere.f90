@@ -151,7 +151,8 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_TANGENT_OVERLAP = 0_c_int32_t
   ! as if they were apart by an infinitely small amount
   integer(c_int32_t), parameter :: HSP_TANGENT_DISJOINT = 1_c_int32_t
-  ! The ball touches another at a free point, or equals another: its derivatives are one-sided.
+  ! The ball touches another at a free point, or equals another and one of the two is exposed: its derivatives are
+  ! one-sided.
   integer(c_int32_t), parameter :: HSP_GRADIENT_ONE_SIDED = 1_c_int32_t
 
   ! ---- curvature.h: integrated mean and Gaussian curvature -----------------------------------------------------------

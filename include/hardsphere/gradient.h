@@ -9,12 +9,12 @@
  * and has an unbounded slope, but no jump, where an arc appears or vanishes. Where two spheres touch, derivatives are
  * one-sided (HSP_TANGENT_*), and flags tell which balls are concerned; a ball that touches another from inside counts
  * as lying inside it with either HSP_TANGENT_*. Where balls are equal, A_i jumps and V has a kink: the ball of lowest
- * index has the derivatives that it would have alone, the others have 0, and all are flagged. Where three spheres share
- * a free circle, derivatives are one-sided too, without a flag: on the side that the symbolic perturbation takes. The
- * lattice's rounding is not differentiated: difference quotients agree with these derivatives for steps of some 1e5
- * lattice steps or more, which is 1e-3 for radii between 1.08 and 10.7, whose lattice has the step 1e-8. The default
- * steps of programs that check gradients are smaller, in their units: PLUMED's --debug-forces 1.5e-8, ASE 1e-6, JAX
- * 1e-4. Give these programs larger steps. */
+ * index has the derivatives that it would have alone, the others have 0, and all are flagged unless they are buried.
+ * Where three spheres share a free circle, derivatives are one-sided too, without a flag: on the side that the symbolic
+ * perturbation takes. The lattice's rounding is not differentiated: difference quotients agree with these derivatives
+ * for steps of some 1e5 lattice steps or more, which is 1e-3 for radii between 1.08 and 10.7, whose lattice has the
+ * step 1e-8. The default steps of programs that check gradients are smaller, in their units: PLUMED's --debug-forces
+ * 1.5e-8, ASE 1e-6, JAX 1e-4. Give these programs larger steps. */
 #ifndef HARDSPHERE_GRADIENT_H
 #define HARDSPHERE_GRADIENT_H
 
@@ -31,7 +31,8 @@ extern "C" {
 #define HSP_TANGENT_OVERLAP UINT32_C(0)  /**< as if balls that touch overlapped by an infinitely small amount */
 #define HSP_TANGENT_DISJOINT UINT32_C(1) /**< as if they were apart by an infinitely small amount */
 
-/** The ball touches another at a free point, or equals another: its derivatives are one-sided. */
+/** The ball touches another at a free point, or equals another and one of the two is exposed: its derivatives are
+ *  one-sided. */
 #define HSP_GRADIENT_ONE_SIDED UINT32_C(1)
 
 /** The value of an energy of areas and volume, and its parts. Units: tension times length^2, length^2, length^3.

@@ -77,14 +77,14 @@ HSP_API int32_t HSP_CALL hsp_model_options_init(hsp_model_options *options, uint
  *  the integer nearest to probe/step. The default step is a power of ten between 1e-22 and 1e22. It is chosen from the
  *  largest radius plus probe, never from coordinates, with one exception: a set of points (all radii and the probe 0,
  *  largest_radius not given). The step of such a set is the smallest power of ten with which every coordinate is below
- *  2^30 steps, or 1e-8 if that is smaller and no coordinate has more than 2^50 steps of 1e-8. So give the step to
- *  models that hold parts of one set of points. Limits: radius plus probe below 2^30 steps, every coordinate at most
- *  2^50 steps, a step that is given 5.6e-309 at least. A default step makes the length from which it is chosen at least
- *  2^20 steps long: sets whose lengths are all below 1.05e-16 need other units. Centres that coincide, balls inside
- *  others, and balls that touch are all valid. With options.largest_radius lattice and cubes do not depend on the
- *  balls: models with the same options have the same grid, and a ball and its neighbours give the same bits whatever
- *  other balls there are. A ball that is larger on the lattice is HSP_E_RANGE. For given balls
- *  hsp_model_info.largest_radius less the probe is large enough.
+ *  2^30 steps, where that is at most 1e-8; else the smallest one from 1e-8 on with which no coordinate has more than
+ *  2^50 steps. So give the step to models that hold parts of one set of points. Limits: radius plus probe below 2^30
+ *  steps, every coordinate at most 2^50 steps, a step that is given 5.6e-309 at least. A default step makes the length
+ *  from which it is chosen at least 2^20 steps long: sets whose lengths are all below 1.05e-16 need other units.
+ *  Centres that coincide, balls inside others, and balls that touch are all valid. With options.largest_radius lattice
+ *  and cubes do not depend on the balls: models with the same options have the same grid, and a ball and its neighbours
+ *  give the same bits whatever other balls there are. A ball that is larger on the lattice is HSP_E_RANGE. For given
+ *  balls hsp_model_info.largest_radius less the probe is large enough.
  *
  *  On failure the model holds nothing. Until balls are taken again every function that reads the model, except
  *  hsp_model_get_info, returns HSP_E_STATE.
@@ -155,7 +155,7 @@ HSP_API int32_t HSP_CALL hsp_model_get_info(const hsp_model *model, hsp_model_in
  *  Either may be NULL; *needed becomes n.
  *  - Property 1: coordinates differ from those that hsp_model_set was given by half a step at most; radii differ from
  *    the given radius plus probe by half a step at most without a probe, and by a step at most with one. Numbers with
- *    no more decimals than the lattice do not change at all.
+ *    no more decimals than the lattice do not change at all, if the step is a power of ten from 1e-22 to 1e22.
  *  - Property 2: a model that is made of them with the same step and no probe decides everything alike.
  *
  *  @retval HSP_E_ARGUMENT  model is NULL
