@@ -97,13 +97,14 @@ HSP_API int32_t HSP_CALL hsp_periodic_init(void *memory, size_t bytes, const hsp
                                            hsp_periodic **periodic);
 
 /** Take n balls and a box, and compute boundary, contacts and components. Balls and options are those of hsp_model_set:
- *  xyz and radius may be NULL only if n is 0; options and limits may be NULL. box [9] holds any three vectors; nothing
- *  is kept of the arrays. On failure there are no results. first_bad may be NULL, else *first_bad becomes the index of
- *  the first ball that is refused. It becomes HSP_NONE if no ball is, or if the box or the options are at fault, also
- *  by a step that is too small for every radius. limits: see LIMITS in hardsphere.h; at most five retries.
+ *  xyz and radius may be NULL only if n is 0; options and limits may be NULL. box [9] holds any three vectors, whose
+ *  components count as coordinates for the step of points; nothing is kept of the arrays. On failure there are no
+ *  results. first_bad may be NULL, else *first_bad becomes the index of the first ball that is refused. It becomes
+ *  HSP_NONE if no ball is, or if the box or the options are at fault, also by a step that is too small for every
+ *  radius. limits: see LIMITS in hardsphere.h; at most five retries.
  *  - Property 1: results do not depend on which image of a ball is given, nor on which upright vectors are given for
- *    the same copies, bit for bit. Exceptions are shifts, the order of records sorted by shifts, rows of windings and
- *    derivatives by the vectors.
+ *    the same copies, bit for bit. Exceptions are shifts, the order of records sorted by shifts, rows of windings,
+ *    derivatives by the vectors, and points without a step, whose lattice follows from coordinates.
  *  - Property 2: a box of m x m x m copies has m^3 times everything that is counted or measured, up to rounding.
  *  - Property 3: if balls and vectors are turned by any rotation results stay the same, and those with a direction turn
  *    with them, up to rounding to the lattice. If a vector is reversed its shifts and derivatives change sign.
