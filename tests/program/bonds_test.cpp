@@ -193,6 +193,22 @@ TEST(Bonds, OfComponents) {
             (Multiple{"4 multiple ones", 7}));
 }
 
+// Names of up to 6 letters tell which atoms are bonded; bonds of longer ones are found by distance.
+TEST(Bonds, OfComponentsWithLongNames) {
+  const auto multiple = [](const std::string &one, const std::string &two) {
+    return multiple_in(
+        "data_LIG\nloop_\n_chem_comp_atom.comp_id\n_chem_comp_atom.atom_id\n_chem_comp_atom.type_symbol\n"
+        "_chem_comp_atom.x\n_chem_comp_atom.y\n_chem_comp_atom.z\nLIG " +
+            one + " C 0 0 0\nLIG " + two + " C 0 1.34 0\nLIG C3 C 0 2.1 1.2\nloop_\n_chem_comp_bond.comp_id\n" +
+            "_chem_comp_bond.atom_id_1\n_chem_comp_bond.atom_id_2\n_chem_comp_bond.value_order\nLIG " + one + " " +
+            two + " DOUB\nLIG " + two + " C3 SING\n",
+        "cif");
+  };
+  EXPECT_EQ(multiple("CARB01", "CARB02"), multiple("C1", "C2"));
+  EXPECT_EQ(multiple("C1", "C2").said, "1 multiple ones");
+  EXPECT_EQ(multiple("CARBON1", "CARBON2").said, "");
+}
+
 // One bond needs no loop, and may be before the atoms, as a loop may. Bonds of other components, whose atoms have the
 // same names, are not this one's, in whatever block they are.
 TEST(Bonds, OfComponentsAreAnywhereInTheirBlock) {

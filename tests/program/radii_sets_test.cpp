@@ -181,6 +181,19 @@ TEST(RadiiFiles, PlainForm) {
   EXPECT_EQ(radii_of(few, {"--radii", file.path(), "--radius", "C=3,ZN=4"}), (std::vector<double>{3, 3, 1.25, 3, 4}));
 }
 
+// No table has a longer name than 7 letters, and a residue's longer name is none of them.
+TEST(RadiiFiles, LongNamesOfResidues) {
+  const TemporaryFile file("my.radii", "LIGANDX C1 1.9\nANY C2 2.5\n");
+  const TemporaryFile cif("long.cif",
+                          "data_a\nloop_\n_atom_site.type_symbol\n_atom_site.label_atom_id\n_atom_site.label_comp_id\n"
+                          "_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\nC C1 LIGANDX 0 0 0\n"
+                          "C C1 LIGANDXYZ 9 0 0\nC C2 LIGANDXYZ 19 0 0\nC C1 LIGANDXY 29 0 0\n");
+  std::vector<double> radii;
+  for (const Json &ball : run_json({"measure", cif.path(), "--radii", file.path(), "--per-ball"})["balls"].items)
+    radii.push_back(ball["radius"].number);
+  EXPECT_EQ(radii, (std::vector<double>{1.9, 1.7, 2.5, 1.7}));
+}
+
 TEST(RadiiFiles, FreeSasaForm) {
   const TemporaryFile file("my.config",
                            "# comment\nname: Mine or another's\n\ntypes:\nC_ALI 2.00 apolar # class\nN 1.55\n\natoms:\n"

@@ -154,6 +154,53 @@ TEST(UnusualFiles, NamesOfChainsAreNotCut) {
             "hardsphere: " + pqr.path() + ":1: the chain's name 'LongChain_of_1' has more than 11 letters\n");
 }
 
+// Residues whose names were cut to one would be one, or an atom of the one another location of an atom of the other.
+TEST(UnusualFiles, NamesOfResiduesAreNotCut) {
+  const std::string head =
+      "data_a\nloop_\n_atom_site.type_symbol\n_atom_site.label_atom_id\n_atom_site.label_alt_id\n"
+      "_atom_site.label_comp_id\n_atom_site.auth_asym_id\n_atom_site.auth_seq_id\n_atom_site.pdbx_PDB_ins_code\n"
+      "_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n";
+  const TemporaryFile two("two.cif", head + "C C1 . LIGAND_001 A . . 0 0 0\nC C2 . LIGAND_002 A . . 9 0 0\n");
+  const Json residues = run_json({"measure", two.path(), "--by", "residue"})["residues"];
+  ASSERT_EQ(residues.items.size(), 2U);
+  EXPECT_EQ(residues.items[0]["name"].text, "LIGAND_001");
+  EXPECT_EQ(residues.items[1]["name"].text, "LIGAND_002");
+  EXPECT_EQ(run_json({"measure", two.path(), "--only", "residue:LIGAND_002"})["n"].number, 1);
+  const std::string mixture =
+      "C C1 A LIGAND_001 A 1 . 0 0 0\nC C2 A LIGAND_001 A 1 . 5 0 0\nC C3 B LIGAND_002 A 1 . 9 0 0\n";
+  for (const std::string locations : {"first", "occupancy", "A"}) {
+    const TemporaryFile file("mixture.cif", head + mixture);
+    EXPECT_EQ(run_json({"measure", file.path(), "--altloc", locations})["n"].number, 2) << locations;
+  }
+  const TemporaryFile picture("two.svg");
+  EXPECT_EQ(run_program({"draw", two.path(), "--titles", "-o", picture.path()}).status, 0);
+  const struct {
+    const char *row, *complaint;
+  } refused[] = {
+      {"C C1 . Residue_of_24_characters A 1 . 0 0 0",
+       "the residue's name 'Residue_of_24_characters' has more than 23 letters"},
+      {"C C1 . LIG A 123456789012 . 0 0 0", "the residue's number '123456789012' has more than 11 letters"},
+      {"C C1 . LIG A 1 AB 0 0 0", "the insertion code 'AB' has more than 1 letter"},
+      {"C CARBON_1 A LIG A 1 . 0 0 0", "the atom's name 'CARBON_1' has more than 7 letters"},
+  };
+  for (const auto &it : refused) {
+    const TemporaryFile file("long.cif", head + it.row + "\n");
+    EXPECT_EQ(refusal({"measure", file.path()}), "hardsphere: " + file.path() + ":13: " + it.complaint + "\n");
+  }
+  const TemporaryFile named("named.cif", head + "C CARBON_1 . LIG A 1 . 0 0 0\nC CARBON_2 . LIG A 1 . 9 0 0\n");
+  EXPECT_EQ(run_json({"measure", named.path()})["n"].number, 2);
+  const TemporaryFile pqr("long.pqr", "ATOM 1 CA Residue_of_24_characters 1 0 0 0 0 1\n");
+  EXPECT_EQ(
+      refusal({"measure", pqr.path()}),
+      "hardsphere: " + pqr.path() + ":1: the residue's name 'Residue_of_24_characters' has more than 23 letters\n");
+  const TemporaryFile component("long.cif",
+                                "data_a\nloop_\n_chem_comp_atom.comp_id\n_chem_comp_atom.atom_id\n"
+                                "_chem_comp_atom.type_symbol\n_chem_comp_atom.x\n_chem_comp_atom.y\n"
+                                "_chem_comp_atom.z\nComponent_of_24_letters_ C1 C 0 0 0\n");
+  EXPECT_NE(refusal({"measure", component.path()}).find(":9: the component's name 'Component_of_24_letters_' has more"),
+            std::string::npos);
+}
+
 // Of a name that has no room, and of a long word in a message, whole characters are left.
 TEST(UnusualFiles, TextsAreCutBetweenCharacters) {
   const std::string accents = "\u00e9\u00e9\u00e9\u00e9\u00e9";
@@ -163,7 +210,7 @@ TEST(UnusualFiles, TextsAreCutBetweenCharacters) {
                           "C " +
                               accents + " " + accents + " 0 0 0\n");
   const std::string rows = run_program({"measure", cif.path(), "--per-ball", "--csv"}).out;
-  EXPECT_NE(rows.find("\n0,\u00e9\u00e9\u00e9,C,,\u00e9\u00e9\u00e9,"), std::string::npos) << rows;
+  EXPECT_NE(rows.find("\n0,\u00e9\u00e9\u00e9,C,," + accents + ","), std::string::npos) << rows;
   const TemporaryFile latin("latin.cif",
                             "data_a\nloop_\n_atom_site.type_symbol\n_atom_site.label_atom_id\n_atom_site.Cartn_x\n"
                             "_atom_site.Cartn_y\n_atom_site.Cartn_z\nC C\xa9\xa9\xa9\xa9\xa9\xa9\xa9\xa9 0 0 0\n");

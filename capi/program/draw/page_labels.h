@@ -7,10 +7,11 @@
 #include "hardsphere.h"
 #include "read/failure.h"
 #include "read/molecule.h"
+#include "read/residues.h"
 #include "read/selection.h"
 
 struct page_label {
-  char text[48];
+  char text[RESIDUE_TEXT_BYTES];
   double at[2];  /* in view coordinates: the centre of the largest circle within a face of one of its balls */
   double radius; /* of that circle */
   uint32_t atom; /* whose ball has that face */

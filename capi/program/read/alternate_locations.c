@@ -10,8 +10,8 @@
 struct seen_location {
   char name[8]; /* of the atom; empty for the residue as a whole */
   struct residue_place place;
-  char residue[8]; /* name of the residue in the first record with this name and place */
-  char letter[8];  /* the letter of that first record, or word */
+  char residue[RESIDUE_NAME_BYTES]; /* name of the residue in the first record with this name and place */
+  char letter[8];                   /* the letter of that first record, or word */
 };
 
 enum { KEY_BYTES = offsetof(struct seen_location, residue) };
@@ -24,11 +24,11 @@ struct location_slot {
 /* Atoms without letters that are neighbours in the file and belong to one residue. */
 struct residue_visit {
   struct residue_place place;
-  char residue[8];  /* its name */
-  uint32_t first;   /* the first of the atoms that wait, in the molecule */
-  uint32_t count;   /* how many wait; 0: none waits any more */
-  uint32_t next;    /* the next visit of the same residue, counted from 1; 0: none */
-  uint32_t last;    /* in the first visit of a residue: its last visit, counted from 1 */
+  char residue[RESIDUE_NAME_BYTES]; /* its name */
+  uint32_t first;                   /* the first of the atoms that wait, in the molecule */
+  uint32_t count;                   /* how many wait; 0: none waits any more */
+  uint32_t next;                    /* the next visit of the same residue, counted from 1; 0: none */
+  uint32_t last;                    /* in the first visit of a residue: its last visit, counted from 1 */
   uint32_t waiting; /* in the first visit of a residue: the first visit with names that wait, or the last one */
 };
 

@@ -415,7 +415,7 @@ bool atom_take_element(const struct atom_evidence *evidence, struct atom_label *
 
 void atom_take_element_again(struct elements_seen *seen, struct field name, struct atom_label *label) {
   const struct atom_evidence evidence = {ATOM_NAMES, name, {"", 0}};
-  if (name.length == 0 || name.length > 8) {
+  if (name.length == 0 || name.length > 8 || strlen(label->residue->name) > 8) {
     atom_take_element(&evidence, label);
     return;
   }

@@ -32,9 +32,9 @@ bool cif_component_take_bond(const struct cif_row *row, struct molecule *molecul
   struct stated_bond bond = {.order = order_of(cif_row_get(row, CIF_BOND_ORDER)), .model = 0};
   label_copy(bond.component, sizeof bond.component, cif_row_get(row, CIF_BOND_COMPONENT));
   for (int end = 0; end < 2; ++end) {
-    label_copy(bond.serial[end].text, sizeof bond.serial[end].text,
-               cif_row_get(row, (enum cif_item)(CIF_BOND_FIRST + end)));
-    if (bond.serial[end].text[0] == '\0') return true;
+    const struct field name = cif_row_get(row, (enum cif_item)(CIF_BOND_FIRST + end));
+    if (name.length == 0 || name.length >= sizeof bond.serial[end].text) return true; /* found by distance */
+    label_copy(bond.serial[end].text, sizeof bond.serial[end].text, name);
   }
   return molecule_add_bond(molecule, &bond, failure);
 }

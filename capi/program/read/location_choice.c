@@ -9,7 +9,7 @@
 struct located_atom {
   struct residue_place place;
   char name[8];
-  char residue[8];
+  char residue[RESIDUE_NAME_BYTES];
   char location[8];
   double occupancy;
   uint32_t atom;

@@ -126,12 +126,11 @@ bool chain_name_copy(struct residue_label *residue, uint64_t copy, struct failur
   return true;
 }
 
-bool chain_name_fits(struct field name, uint64_t line, struct failure *failure) {
-  enum { MOST_LETTERS = sizeof residue_nameless.chain - 1 };
+bool label_fits(struct field text, size_t room, const char *what, uint64_t line, struct failure *failure) {
   char shown[EXCERPT_BYTES];
-  return name.length <= MOST_LETTERS ||
-         failure_in_input(failure, line, "the chain's name '%s' has more than %d letters",
-                          excerpt(shown, name.text, name.length), (int)MOST_LETTERS);
+  return text.length < room ||
+         failure_in_input(failure, line, "%s '%s' has more than %d letter%s", what,
+                          excerpt(shown, text.text, text.length), (int)room - 1, room == 2 ? "" : "s");
 }
 
 bool chain_is_nameless(const char *chain) {

@@ -16,10 +16,12 @@
 #include "read/radii_table.h"
 #include "read/symmetry.h"
 
+enum { RESIDUE_NAME_BYTES = 24 };
+
 /* The name of a residue for a person; empty where the file does not say. */
 struct residue_label {
   char chain[12];
-  char name[8];
+  char name[RESIDUE_NAME_BYTES];
   char number[12]; /* as written, without the insertion code */
   char insertion[2];
   uint16_t repeat; /* counts residues in a row that have the same names and numbers, modulo 65536 */
@@ -44,10 +46,10 @@ struct residue_list {
   size_t used; /* of the last block */
 };
 
-/* The serial number of an atom as written, which in large files may be no number; in a component the atom's name; empty
- * if no bonds are stated by it. */
+/* The serial number of an atom as written, which in large files may be no number; in a component the atom's name, if
+ * there is room for it; empty if no bonds are stated by it. */
 struct serial_label {
-  char text[6];
+  char text[7];
 };
 
 /* The kind of a bond, if the file says it. */
@@ -56,9 +58,9 @@ enum bond_order { BOND_UNKNOWN, BOND_SINGLE, BOND_DOUBLE, BOND_TRIPLE, BOND_AROM
 /* A bond that the file states. There may be no such atoms, or several. */
 struct stated_bond {
   struct serial_label serial[2];
-  enum bond_order order; /* unknown: a double bond is stated twice, a triple one three times */
-  uint32_t model;        /* the model that states it; models may repeat bonds of others */
-  char component[8];     /* in a file of several components: the one that states it; empty: any */
+  enum bond_order order;              /* unknown: a double bond is stated twice, a triple one three times */
+  uint32_t model;                     /* the model that states it; models may repeat bonds of others */
+  char component[RESIDUE_NAME_BYTES]; /* in a file of several components: the one that states it; empty: any */
 };
 
 /* The name of an atom for a person; empty where the file does not say it. Files have many atoms: it is kept small. */
@@ -174,9 +176,9 @@ static inline bool molecule_wants_model(struct molecule *molecule, uint64_t mode
  * the second. False: the name has no room for that. */
 bool chain_name_copy(struct residue_label *residue, uint64_t copy, struct failure *failure);
 
-/* Whether a label has room for a chain's name: two that were cut would be one chain, and an atom of the one another
- * location of an atom of the other. */
-bool chain_name_fits(struct field name, uint64_t line, struct failure *failure);
+/* Whether a label has room for a text: of two chains whose names were cut to one, an atom of the one would be another
+ * location of an atom of the other, and so with residues. `what` is what the reason calls it: "the chain's name". */
+bool label_fits(struct field text, size_t room, const char *what, uint64_t line, struct failure *failure);
 
 /* Whether a chain has no name of its own; what copies and TER records add is not counted. */
 bool chain_is_nameless(const char *chain);

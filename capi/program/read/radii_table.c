@@ -291,20 +291,25 @@ static uint64_t capitals_of(const char name[NAME_BYTES]) {
   return text ^ lower >> 2;
 }
 
-bool radii_table_find(const struct radii_table *table, const char residue[NAME_BYTES], const char atom[NAME_BYTES],
+/* Eight bytes at least can be read. No table has a longer name than it has room for. */
+static bool is_short(const char *residue) {
+  return memchr(residue, '\0', NAME_BYTES) != NULL;
+}
+
+bool radii_table_find(const struct radii_table *table, const char *residue, const char atom[NAME_BYTES],
                       double *radius) {
   if (table->count == 0) return false;
   const uint64_t name = capitals_of(atom);
   if (name == 0) return false;
-  uint32_t slot = *slot_of(table, capitals_of(residue), name);
+  uint32_t slot = is_short(residue) ? *slot_of(table, capitals_of(residue), name) : 0;
   if (slot == 0) slot = *slot_of(table, word_at("ANY\0\0\0\0"), name);
   if (slot == 0) return false;
   *radius = table->entries[(slot - 1) / 2].radius;
   return true;
 }
 
-bool radii_table_names(const struct radii_table *table, const char residue[NAME_BYTES]) {
-  return table->count > 0 && *slot_of(table, capitals_of(residue), 0) != 0;
+bool radii_table_names(const struct radii_table *table, const char *residue) {
+  return table->count > 0 && is_short(residue) && *slot_of(table, capitals_of(residue), 0) != 0;
 }
 
 bool radii_table_get(const struct radii_table *table, size_t i, const char **residue, const char **atom,

@@ -38,11 +38,11 @@ bool radii_table_make(struct radii_table *table, uint32_t set, struct failure *f
 bool radii_table_read(struct radii_table *table, const char *path, struct failure *failure);
 
 /* The radius of an atom by both names, in any case of their letters; false: the table has none. */
-bool radii_table_find(const struct radii_table *table, const char residue[RADII_NAME_BYTES],
-                      const char atom[RADII_NAME_BYTES], double *radius);
+bool radii_table_find(const struct radii_table *table, const char *residue, const char atom[RADII_NAME_BYTES],
+                      double *radius);
 
 /* Whether the table has radii of a residue by its own name. */
-bool radii_table_names(const struct radii_table *table, const char residue[RADII_NAME_BYTES]);
+bool radii_table_names(const struct radii_table *table, const char *residue);
 
 /* Put the entries in alphabetical order, in which radii_table_read puts those of a file. */
 void radii_table_sort(struct radii_table *table);

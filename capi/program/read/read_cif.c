@@ -91,11 +91,19 @@ static bool take_residue(const struct cif_row *row, struct molecule *molecule, s
   const struct field chain = by_label ? cif_row_either(row, CIF_LABEL_CHAIN, CIF_AUTH_CHAIN)
                                       : cif_row_either(row, CIF_AUTH_CHAIN, CIF_LABEL_CHAIN);
   const struct field asym = cif_row_get(row, CIF_LABEL_CHAIN);
-  if (!chain_name_fits(chain, row->line, failure)) return false;
-  label_copy(residue->name, sizeof residue->name, cif_row_either(row, CIF_AUTH_RESIDUE, CIF_LABEL_RESIDUE));
+  const struct field name = cif_row_either(row, CIF_AUTH_RESIDUE, CIF_LABEL_RESIDUE);
+  const struct field number = cif_row_either(row, CIF_AUTH_NUMBER, CIF_LABEL_NUMBER);
+  const struct field insertion = cif_row_get(row, CIF_INSERTION);
+  if (!label_fits(chain, sizeof residue->chain, "the chain's name", row->line, failure) ||
+      !label_fits(name, sizeof residue->name, "the residue's name", row->line, failure) ||
+      !label_fits(number, sizeof residue->number, "the residue's number", row->line, failure) ||
+      !label_fits(insertion, sizeof residue->insertion, "the insertion code", row->line, failure)) {
+    return false;
+  }
+  label_copy(residue->name, sizeof residue->name, name);
   label_copy(residue->chain, sizeof residue->chain, chain);
-  label_copy(residue->number, sizeof residue->number, cif_row_either(row, CIF_AUTH_NUMBER, CIF_LABEL_NUMBER));
-  label_copy(residue->insertion, sizeof residue->insertion, cif_row_get(row, CIF_INSERTION));
+  label_copy(residue->number, sizeof residue->number, number);
+  label_copy(residue->insertion, sizeof residue->insertion, insertion);
   if (asym.length > 0) residue->asym = name_table_number(&molecule->asyms, asym);
   if (asym.length > 0 && residue->asym == 0) return failure_of_memory(failure);
   return chain_name_copy(residue, molecule->copy, failure);
@@ -225,6 +233,8 @@ static bool take_atom(struct cif_reading *reading, const struct residue_label *b
     const struct field alternate = cif_row_get(row, CIF_ALTERNATE);
     if (alternate.length > 0 && alternate.text[0] != ' ') letter = alternate;
     if (!take_residue(row, molecule, &residue, failure)) return false;
+    /* Atoms whose names were cut to one would be locations of one atom. */
+    if (letter.length > 0 && !label_fits(name, sizeof label.name, "the atom's name", row->line, failure)) return false;
     const bool later = letter.length > 0 && molecule->choice.location != LOCATION_FIRST;
     if (!later &&
         !alternate_locations_keep(&reading->seen, molecule, &label, cif_row_get(row, CIF_LABEL_CHAIN), letter, &keep)) {
@@ -253,14 +263,18 @@ static bool take_component_atom(struct cif_reading *reading) {
   struct atom_label label = ATOM_LABEL_NONE;
   label.residue = &residue;
   label_copy(label.name, sizeof label.name, name);
-  label_copy(residue.name, sizeof residue.name, cif_row_get(row, CIF_COMPONENT_NAME));
+  const struct field component = cif_row_get(row, CIF_COMPONENT_NAME);
+  if (!label_fits(component, sizeof residue.name, "the component's name", row->line, reading->failure)) return false;
+  label_copy(residue.name, sizeof residue.name, component);
   if (!cif_component_take(&reading->component, row, reading->failure) ||
       !take_element(reading, cif_row_get(row, CIF_COMPONENT_SYMBOL), name, &label) ||
       !molecule_add(reading->molecule, nowhere, 0.0, &label, row->line, reading->failure)) {
     return false;
   }
   struct atom_extra *const extra = molecule_last_extra(reading->molecule);
-  if (extra != NULL) label_copy(extra->serial.text, sizeof extra->serial.text, name);
+  if (extra != NULL && name.length < sizeof extra->serial.text) {
+    label_copy(extra->serial.text, sizeof extra->serial.text, name);
+  }
   return true;
 }
 

@@ -132,7 +132,11 @@ static bool read_atom(const struct line_reader *reader, struct elements_seen *se
   struct residue_label residue = RESIDUE_LABEL_NONE;
   struct atom_label label = ATOM_LABEL_NONE;
   label.residue = &residue;
-  if (!chain_name_fits(record.chain, line, failure)) return false;
+  if (!label_fits(record.chain, sizeof residue.chain, "the chain's name", line, failure) ||
+      !label_fits(record.residue, sizeof residue.name, "the residue's name", line, failure) ||
+      !label_fits(record.number, sizeof residue.number, "the residue's number", line, failure)) {
+    return false;
+  }
   label_copy(label.name, sizeof label.name, record.name);
   label_copy(residue.name, sizeof residue.name, record.residue);
   label_copy(residue.chain, sizeof residue.chain, record.chain);

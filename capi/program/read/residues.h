@@ -13,7 +13,7 @@
 bool residue_label_says(const struct residue_label *label);
 
 /* The name of the residue for a person: "THR A 1", as far as the file says. */
-#define RESIDUE_TEXT_BYTES 40
+#define RESIDUE_TEXT_BYTES 56
 const char *residue_text(char out[RESIDUE_TEXT_BYTES], const struct residue_label *label);
 
 /* Whether two atoms of the same file with these labels belong to one residue, if they are neighbours. */
