@@ -129,6 +129,33 @@ TEST(FileStatements, LinesOfV3000GoOn) {
             "6: the line before ends in '-', but M  V30 does not go on\n");
 }
 
+// Lines of .mol2 that end in a backslash go on, where numbers, atoms or bonds are.
+TEST(FileStatements, LinesOfMol2GoOn) {
+  const auto measured = [](const std::string &counts, const std::string &atoms, const std::string &bonds) {
+    const TemporaryFile file("m.mol2", "@<TRIPOS>MOLECULE\nname\\\n" + counts +
+                                           "SMALL\nUSER_CHARGES\n@<TRIPOS>ATOM\n# none \\\n" + atoms +
+                                           "@<TRIPOS>BOND\n" + bonds);
+    const TemporaryFile out("m.svg");
+    const Outcome outcome = run_program({"measure", file.path(), "--json", "--per-ball"});
+    if (outcome.status != 0) return outcome.err.substr(outcome.err.rfind(".mol2:") + 6);
+    const Outcome drawn = run_program({"draw", file.path(), "-o", out.path(), "--as", "ball-and-stick"});
+    const bool twofold = drawn.out.find("1 multiple") != std::string::npos;
+    return geometry_alone(outcome.out) + (twofold ? " with a double bond" : "");
+  };
+  const std::string tail = "2 O 0 1.2 0.5 O.2 1 FOR 0.5\n", bond = "1 1 2 2\n";
+  const std::string whole = measured("2 1\n", "1 C 0.25 0 0.125 C.2 1 FOR 0.5\n" + tail, bond);
+  EXPECT_NE(whole.find("0.125"), std::string::npos) << whole;
+  EXPECT_NE(whole.find("with a double bond"), std::string::npos) << whole;
+  for (const char *rows : {"1 C 0.25 0 \\\n0.125 C.2 1 FOR 0.5\n", "1 C 0.25 0\\  \n 0.1\\\n25 C.2 1 \\\n\\\nFOR 0.5\n",
+                           "\\\n1 C 0.25 0 0.125 C.2 1 FOR 0.5\n"}) {
+    EXPECT_EQ(measured("2 1\n", rows + tail, bond), whole) << rows;
+  }
+  EXPECT_EQ(measured("2\\\n 1\n", "1 C 0.25 0 0.125 C.2 1 FOR 0.5\n" + tail, "1 1\\\n 2 2\n"), whole);
+  EXPECT_EQ(measured("2 1\n", "1 C 0.25 0 \\\n" + tail, ""), "3: 2 atoms announced, 1 found\n");
+  EXPECT_EQ(measured("2 1\n", "1 C 0.25 0 0.125 C.2 1 FOR 0.5 \\\n", bond),
+            "9: the line before ends in '\\', but does not go on\n");
+}
+
 // A table may be the last thing in a file, but all of it.
 TEST(FileStatements, TablesOfV3000ThatEndWithTheFile) {
   const std::string text = v3000("M  V30 1 C 0 0 1 0\nM  V30 2 O 0 1.2 0.5 0\n", "M  V30 1 2 1 2\n");

@@ -156,6 +156,10 @@ TEST(Residues, OfNamesInMol2) {
       {"8", "****", "****", "8", ""},
       {"****", "LIG", "LIG", "****", ""},
       {"1", "<0>", "", "", ""},
+      // more digits than a number has room for
+      {"1", "LIG123456789012", "LIG123456789012", "1", ""},
+      {"1", "LIG123456789013", "LIG123456789013", "1", ""},
+      {"1", "LIG12345678901", "LIG", "12345678901", ""},
   };
   std::vector<std::pair<std::string, std::string>> residues;
   for (const Case &one : cases) residues.emplace_back(one.number, one.name);

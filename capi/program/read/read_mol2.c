@@ -4,7 +4,8 @@
  *   ATOM       id name x y z type [number residue [charge ..]], where a name may have blanks, and that of the residue
  *              may end in its number
  *   BOND       id atom atom type
- * Lines that begin with '#' are comments. */
+ * Lines that begin with '#' are comments. Lines of numbers, of atoms and of bonds that end in '\' go on in the next
+ * one. */
 #include <inttypes.h>
 #include <string.h>
 
@@ -13,14 +14,18 @@
 #include "read/number.h"
 #include "read/read_molecule.h"
 #include "read/residue_kinds.h"
+#include "read/text_buffer.h"
 
 enum { USUAL_COLUMNS = 9, MOST_BLANKS = 3, MOST_COLUMNS = USUAL_COLUMNS + MOST_BLANKS };
+
+static const char head[] = "@<TRIPOS>";
 
 /* The section that is read, and the counts of the model that is wanted. */
 struct reading {
   enum { OTHER, NAME, COUNTS, TYPE, CHARGES, ATOMS, BONDS } section;
   bool wanted, no_charges;
   uint64_t announced, found, counts_line;
+  struct text_buffer joined; /* a line that goes on, with what it goes on with */
 };
 
 /* How many digits a text ends in. */
@@ -52,13 +57,13 @@ static bool ends_in_number(struct field name, struct field number) {
 }
 
 /* Take a number and an insertion code off the end of a name: ALA23, ALA-5, GLY52A. False: there is none, or nothing
- * before it. Three characters that end in a letter are a name, G6P. */
+ * before it, or more digits than a label has room for. Three characters that end in a letter are a name, G6P. */
 static bool strip_number(struct field *name, struct field *number, struct field *code) {
   const bool coded = name->length > 3 && is_letter(name->text[name->length - 1]);
   struct field rest = {name->text, name->length - (coded ? 1 : 0)};
   size_t digits = digits_at_end(rest);
   rest.length -= digits;
-  if (digits == 0 || rest.length == 0) return false;
+  if (digits == 0 || digits + 1 >= sizeof residue_nameless.number || rest.length == 0) return false;
   if (rest.text[rest.length - 1] == '-') {
     --rest.length;
     ++digits;
@@ -179,10 +184,45 @@ static bool begin_section(struct reading *reading, const char *name, struct mole
   return true;
 }
 
-static bool read_line(const struct line_reader *reader, struct reading *reading, struct molecule *molecule,
+/* Whether the reader's line ends in '\', blanks apart; *length becomes that before it, or the whole one. */
+static bool goes_on(const struct line_reader *reader, size_t *length) {
+  size_t end = reader->length;
+  while (end > 0 && is_blank(reader->text[end - 1])) --end;
+  const bool found = end > 0 && reader->text[end - 1] == '\\';
+  *length = found ? end - 1 : reader->length;
+  return found;
+}
+
+/* The reader's line, joined with those in which it goes on; the reader steps to the last of them. */
+static bool take_line(struct line_reader *reader, struct reading *reading, struct field *line,
                       struct failure *failure) {
-  struct field column[MOST_COLUMNS];
-  const size_t columns = fields_split(reader->text, reader->length, column, MOST_COLUMNS);
+  static const char behind[16] = ""; /* that may be read behind a line */
+  struct text_buffer *const joined = &reading->joined;
+  const bool data = reading->section == COUNTS || reading->section == ATOMS || reading->section == BONDS;
+  size_t length;
+  *line = (struct field){reader->text, reader->length};
+  if (!data || reader->text[0] == '#' || !goes_on(reader, &length)) return true;
+  joined->length = 0;
+  for (bool more = true; more;) {
+    text_buffer_append(joined, reader->text, length);
+    const enum line_status status = line_reader_next(reader, failure);
+    if (status == LINE_FAILED) return false;
+    if (status == LINE_END || reader->text[0] == head[0]) {
+      return failure_in_input(failure, reader->number, "the line before ends in '\\', but does not go on");
+    }
+    more = goes_on(reader, &length);
+  }
+  text_buffer_append(joined, reader->text, length);
+  text_buffer_append(joined, behind, sizeof behind);
+  *line = (struct field){joined->text, joined->length - sizeof behind};
+  return !joined->out_of_memory || failure_of_memory(failure);
+}
+
+static bool read_line(struct line_reader *reader, struct reading *reading, struct molecule *molecule,
+                      struct failure *failure) {
+  struct field column[MOST_COLUMNS], line;
+  if (!take_line(reader, reading, &line, failure)) return false;
+  const size_t columns = fields_split(line.text, line.length, column, MOST_COLUMNS);
   if (reading->section == NAME) {
     reading->section = COUNTS; /* the name may be blank */
     return true;
@@ -215,19 +255,19 @@ static bool read_line(const struct line_reader *reader, struct reading *reading,
   return read_atom(reader, column, columns, reading->no_charges, molecule, failure);
 }
 
-static const char head[] = "@<TRIPOS>";
-
 static bool read_mol2(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
-  struct reading reading = {OTHER, false, false, 0, 0, 0};
+  struct reading reading = {.section = OTHER};
   enum line_status status;
-  while ((status = line_reader_next(reader, failure)) == LINE_READ) {
+  bool done = true;
+  while (done && (status = line_reader_next(reader, failure)) == LINE_READ) {
     if (strncmp(reader->text, head, sizeof head - 1) == 0) {
-      if (!begin_section(&reading, reader->text + sizeof head - 1, molecule, failure)) return false;
-    } else if (!read_line(reader, &reading, molecule, failure)) {
-      return false;
+      done = begin_section(&reading, reader->text + sizeof head - 1, molecule, failure);
+    } else {
+      done = read_line(reader, &reading, molecule, failure);
     }
   }
-  return status == LINE_END && end_model(&reading, failure);
+  text_buffer_free(&reading.joined);
+  return done && status == LINE_END && end_model(&reading, failure);
 }
 
 static bool is_head_of_molecule(const char *line) {
