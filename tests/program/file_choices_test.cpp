@@ -253,6 +253,33 @@ TEST(Assemblies, OperatorsForFurtherChains) {
   }
 }
 
+// A list of chains goes on in the next line, with and without words.
+TEST(Assemblies, ChainsOnTheNextLine) {
+  const auto read = [](const std::string &lines) {
+    const TemporaryFile file("chains.pdb", "REMARK 350 BIOMOLECULE: 1\nREMARK 350 APPLY THE FOLLOWING TO CHAINS: B\n" +
+                                               biomt(1, unmoved) + lines + biomt(1, turned) + two_chains);
+    const Outcome outcome = run_program({"measure", file.path(), "--per-ball", "--assembly", "1", "--json"});
+    return outcome.status == 0 ? places(*read_json(outcome.out)) : std::vector<double>();
+  };
+  const std::vector<double> both = read("REMARK 350 APPLY THE FOLLOWING TO CHAINS: A, B\n");
+  EXPECT_EQ(both, std::vector<double>({7, 2, 3, 3, 1, 22, 9, 1, 22, 3, 7, 22, 9, 9, 29}));
+  for (const char *lines :
+       {"REMARK 350 APPLY THE FOLLOWING TO CHAINS: A,\nREMARK 350                    B   \n",
+        "REMARK 350 APPLY THE FOLLOWING TO CHAINS: A\nREMARK 350 B\n",
+        "REMARK 350 APPLY THE FOLLOWING TO CHAINS:\nREMARK 350 A, B\n",
+        "REMARK 350 APPLY THE FOLLOWING TO CHAINS\nREMARK 350 A, B\n",
+        "REMARK 350 APPLY THE FOLLOWING TO\nREMARK 350 CHAINS: A, B\n",
+        "REMARK 350 IN ADDITION APPLY THE FOLLOWING TO\nREMARK 350 CHAINS: A,\nREMARK 350 AND CHAINS: B\n",
+        "REMARK 350 IN ADDITION APPLY THE FOLLOWING\nREMARK 350 TO CHAINS: A,\nREMARK 350 B\n"}) {
+    EXPECT_EQ(read(lines), both) << lines;
+  }
+  for (const char *lines :
+       {"REMARK 350 APPLY THE FOLLOWING TO\n", "REMARK 350 APPLY THE FOLLOWING TO CHAINS: A,\nREMARK 350 AND OTHERS\n",
+        "REMARK 350 APPLY THE FOLLOWING TO\nREMARK 350 ALL OF THEM\n"}) {
+    EXPECT_EQ(read(lines), std::vector<double>()) << lines;
+  }
+}
+
 // The lists of mmCIF: groups in parentheses are applied from right to left, and chains go by label_asym_id.
 TEST(Assemblies, OfMmcif) {
   const auto operators = [](const std::string &rows) {

@@ -60,6 +60,7 @@ static bool take_biomt(struct assemblies *assemblies, const struct field field[8
                        struct failure *failure) {
   const size_t row = (size_t)(field[2].text[5] - '1');
   if (fields < 4 || assemblies->parts == 0 || row != assemblies->rows % 3) return give_up(assemblies);
+  if (assemblies->part[assemblies->parts - 1].chains.length == 0) return give_up(assemblies);
   if (row == 0 && add_operator(assemblies, field[3]) == NULL) return failure_of_memory(failure);
   if (!symmetry_row(field, fields, row, &assemblies->operators[assemblies->count - 1].to)) return give_up(assemblies);
   assemblies->rows = row + 1;
@@ -85,6 +86,42 @@ static bool announces_operators(const struct field *word, size_t words) {
   return false;
 }
 
+/* Whether a line without a colon leaves the chains of its operators to the next line. */
+static bool breaks_off(const struct field *word, size_t words) {
+  const struct field last = word[words - 1];
+  return begins_part(word, words) && (field_is(last, "FOLLOWING") || field_is(last, "TO") || field_is(last, "CHAINS"));
+}
+
+/* Whether the line is "CHAINS: A" or "TO CHAINS: A". */
+static bool names_chains(const struct field *word, size_t words) {
+  const size_t at = field_is(word[0], "TO") && words > 1 ? 1 : 0;
+  return field_is(word[at], "CHAINS:") || field_is(word[at], "CHAIN:");
+}
+
+/* Whether a line has nothing but names of chains, which have one or two letters. */
+static bool are_chains(struct field line) {
+  size_t letters = 0, longest = 0;
+  for (size_t at = 0; at < line.length; ++at) {
+    letters = is_separator(line.text[at]) ? 0 : letters + 1;
+    longest = letters > longest ? letters : longest;
+  }
+  return longest == 1 || longest == 2;
+}
+
+static bool add_chains(struct assembly_part *part, struct field names, struct failure *failure) {
+  text_buffer_append(&part->chains, ",", 1);
+  text_buffer_append(&part->chains, names.text, names.length);
+  return !part->chains.out_of_memory || failure_of_memory(failure);
+}
+
+/* A line without a colon, before the first operator of the last part: further chains, or a remark. */
+static bool take_further_chains(struct assemblies *assemblies, struct field line, struct failure *failure) {
+  struct assembly_part *const part = &assemblies->part[assemblies->parts - 1];
+  const struct text_buffer *const list = &part->chains;
+  if (are_chains(line)) return add_chains(part, line, failure);
+  return (list->length > 0 && list->text[list->length - 1] != ',') || give_up(assemblies);
+}
+
 bool assemblies_take_pdb_record(struct assemblies *assemblies, const struct line_reader *reader,
                                 struct failure *failure) {
   enum { MOST_FIELDS = 40 }; /* of 80 columns */
@@ -100,21 +137,27 @@ bool assemblies_take_pdb_record(struct assemblies *assemblies, const struct line
   }
   const size_t words = (fields < MOST_FIELDS ? fields : MOST_FIELDS) - 2;
   const bool announced = announces_operators(field + 2, words), known = begins_part(field + 2, words);
-  if (colon == NULL && !announced) return true;
+  const bool broken_off = colon == NULL && breaks_off(field + 2, words);
+  /* The list of chains goes on up to the first operator. */
+  const bool open = assemblies->parts > 0 && assemblies->rows == 0;
+  if (colon == NULL && !announced && !broken_off) {
+    const size_t begin = (size_t)(field[2].text - reader->text) + 1;
+    const struct field line = field_in_columns(reader->text, reader->length, begin, reader->length);
+    return !open || take_further_chains(assemblies, line, failure);
+  }
   /* Its operators must not go to the chains of the part before. */
-  if (announced && (colon == NULL || !known)) assemblies->unreadable = true;
+  if (announced && ((colon == NULL && !broken_off) || !known)) assemblies->unreadable = true;
   const size_t behind = colon == NULL ? reader->length : (size_t)(colon + 1 - reader->text);
   const struct field value = field_in_columns(reader->text, reader->length, behind + 1, reader->length);
   if (field_is(field[2], "BIOMOLECULE:")) label_copy(assemblies->name, sizeof assemblies->name, value);
-  const bool begins = announced || known, goes_on = field_is(field[2], "AND") && assemblies->parts > 0;
+  const bool begins = announced || known;
+  const bool goes_on = assemblies->parts > 0 && (field_is(field[2], "AND") || (open && names_chains(field + 2, words)));
   if (!begins && !goes_on) return true;
   const struct field name = {assemblies->name, strlen(assemblies->name)};
   struct assembly_part *const part = begins ? add_part(assemblies, name) : &assemblies->part[assemblies->parts - 1];
   if (part == NULL) return failure_of_memory(failure);
-  text_buffer_append(&part->chains, ",", 1);
-  text_buffer_append(&part->chains, value.text, value.length);
   if (begins) assemblies->rows = 0;
-  return !part->chains.out_of_memory || failure_of_memory(failure);
+  return broken_off || add_chains(part, value, failure);
 }
 
 bool assemblies_add_part(struct assemblies *assemblies, struct field name, struct field expression, struct field chains,
