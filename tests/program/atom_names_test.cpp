@@ -64,7 +64,8 @@ TEST(AtomNames, InKnownResidues) {
            Case{"URA", "DO2'", "H"},  Case{"DC", "CO3*", "C"},   Case{"HOH", "O   ", "O"},  Case{"SOL", "OW  ", "O"},
            Case{"SOL", "HW1 ", "H"},  Case{"TIP3", "OH2 ", "O"}, Case{"WAT", "1HW ", "H"},  Case{"DOD", "D1  ", "H"},
            Case{"SEP", "P   ", "P"},  Case{"UNK", "CB  ", "C"},  Case{"ASX", "XD1 ", "X"},  Case{"GLX", "AE2 ", "X"},
-           Case{"ASN", "AD1 ", "X"},  Case{"ASX", "CA  ", "C"},
+           Case{"ASN", "AD1 ", "X"},  Case{"ASX", "CA  ", "C"},  Case{"DG", "S2P ", "S"},   Case{"A", " S1P", "S"},
+           Case{"DT", "S5' ", "S"},   Case{"U", " S4*", "S"},
        }) {
     EXPECT_EQ(found(it.name, it.residue, true), it.element) << it.residue << " " << it.name;
     EXPECT_EQ(found(stripped(it.name), it.residue, true), it.element) << it.residue << " " << it.name;
@@ -118,22 +119,12 @@ TEST(AtomNames, VirtualSites) {
 // Amino acids and nucleotides have no boron, and most of them no sulfur: coarse-grained models call beads so.
 TEST(AtomNames, Beads) {
   for (const Case &it : {
-           Case{"ALA", " BB ", "bead"},
-           Case{"LYS", " SC1", "bead"},
-           Case{"TRP", " SC5", "bead"},
-           Case{"CYS", " BB ", "bead"},
-           Case{"CYS", " SC1", "bead"},
-           Case{"NALA", "BB  ", "bead"},
-           Case{"DA", " BB1", "bead"},
-           Case{"DG", " SC4", "bead"},
-           Case{"SER", " SG ", "bead"},
-           Case{"DA", " S1P", "bead"},
-           Case{"NCYS", " SG ", "S"},
-           Case{"CMET", " SD ", "S"},
-           Case{"CYX", " SG ", "S"},
-           Case{"CSO", " SG ", "S"},
-           Case{"UNK", " SG ", "S"},
-           Case{"LIG", " SC1", "S"},
+           Case{"ALA", " BB ", "bead"}, Case{"LYS", " SC1", "bead"}, Case{"TRP", " SC5", "bead"},
+           Case{"CYS", " BB ", "bead"}, Case{"CYS", " SC1", "bead"}, Case{"NALA", "BB  ", "bead"},
+           Case{"DA", " BB1", "bead"},  Case{"DG", " SC4", "bead"},  Case{"SER", " SG ", "bead"},
+           Case{"DA", " S1 ", "bead"},  Case{"DA", " S1B", "bead"},  Case{"SER", " S1P", "bead"},
+           Case{"NCYS", " SG ", "S"},   Case{"CMET", " SD ", "S"},   Case{"CYX", " SG ", "S"},
+           Case{"CSO", " SG ", "S"},    Case{"UNK", " SG ", "S"},    Case{"LIG", " SC1", "S"},
            Case{"LIG", " B1 ", "B"},
        }) {
     EXPECT_EQ(found(it.name, it.residue, true), it.element) << it.residue << " " << it.name;

@@ -174,6 +174,13 @@ static bool is_bead_name(const char *capitals, enum residue_kind kind) {
   return (kind == RESIDUE_AMINO_ACID || kind == RESIDUE_NUCLEOTIDE) && (backbone || side);
 }
 
+/* Whether the name is one that sulfur has in place of an oxygen of phosphate or sugar, S1P, S2P, S5'; no bead is called
+ * so. */
+static bool is_thio_name(const char *capitals, enum residue_kind kind) {
+  return kind == RESIDUE_NUCLEOTIDE && capitals[0] == 'S' && is_digit(capitals[1]) &&
+         strchr("P'*", capitals[2]) != NULL && capitals[2] != '\0' && capitals[3] == '\0';
+}
+
 enum atom_kind { ATOM_KNOWN, ATOM_UNKNOWN, ATOM_BEAD, ATOM_VIRTUAL };
 
 /* An atom in a known residue. `name` is in capitals, from its first letter on. ATOM_UNKNOWN: such residues have no such
@@ -197,7 +204,8 @@ static enum atom_kind kind_in_residue(const char *name, enum residue_kind kind, 
     to_capitals(capitals, sizeof capitals, residue, strlen(residue));
     if (IS_AMONG(capitals, names)) return element_symbol_parse("Se", 2, element) ? ATOM_KNOWN : ATOM_UNKNOWN;
   }
-  if (kind != RESIDUE_WATER && (name[0] == 'B' || (name[0] == 'S' && !has_sulfur(residue)))) return ATOM_BEAD;
+  const bool sulfur = name[0] == 'S' && (has_sulfur(residue) || is_thio_name(name, kind));
+  if (kind != RESIDUE_WATER && (name[0] == 'B' || (name[0] == 'S' && !sulfur))) return ATOM_BEAD;
   if (name[0] == '\0' || strchr("HDCNOSP", name[0]) == NULL) return ATOM_UNKNOWN;
   return element_symbol_parse(name, 1, element) ? ATOM_KNOWN : ATOM_UNKNOWN;
 }

@@ -37,7 +37,8 @@ struct atom_evidence {
  *   3. An ion has the name of its residue: an element's symbol, or a name of CHARMM: SOD, CLA, POT, CAL, CES ..
  *   4. In a known residue the element is the first letter of the name, which may follow digits; SE is selenium in MSE,
  *      SEC and CSE, and the metal that a cofactor has is one by its two letters: FE of HEM, MG of CLA, CO of B12. Amino
- *      acids and nucleotides have no boron, and sulfur only in CYS, MET and their kin; else B and S are beads, BB, SC1.
+ *      acids and nucleotides have no boron, and sulfur only in CYS, MET and their kin and in place of oxygen of
+ *      phosphates and sugars, S1P, S2P, S5'; else B and S are beads, BB, SC1.
  *      In amino acids A and X as first letters are unknown elements: AD1 or XD1 of ASX is nitrogen or oxygen, but not
  *      known which. Other names are virtual sites: EP, M, MW, LP, DU, DM1; in water OM; in amino acids Q and M as first
  *      letters and D before the name of a heavy atom.
