@@ -152,6 +152,8 @@ TEST(StandardStreams, InputsThatAreReadOnce) {
       {{"measure", "good/water.pdb", "--models", "all", "--weights", "-"}, weights_of_each}};
   if (std::filesystem::exists("/dev/fd/0")) {
     cases.push_back({with({"measure", "good/water.pdb", "--rows"}, "/dev/fd/0"), "--index: /dev/fd/0" + once});
+    cases.push_back({{"measure", "/dev/fd/0", "--format", "pdb", "--pdb-out", "/dev/null"},
+                     "--pdb-out: /dev/fd/0 can be read once, and is needed again; as standard input, -, it is kept"});
     cases.push_back(
         {{"measure", "good/water.pdb", "good/one.cif", "--radii", "/dev/fd/0"}, "--radii: /dev/fd/0" + once});
     cases.push_back(

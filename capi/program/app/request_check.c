@@ -243,6 +243,13 @@ bool request_check_inputs(const struct request *request, struct failure *failure
                 {"--index", request->index_file, again},
                 {"--radii", request->radii_file, again},
                 {"--trajectory", request->trajectory, false}};
+  char shown[EXCERPT_BYTES];
+  const bool twice = request->measure.pdb_out != NULL && request->file != NULL && !input_is_standard(request->file);
+  if (twice && is_read_once(request->file)) {
+    return failure_in_usage(failure,
+                            "--pdb-out: %s can be read once, and is needed again; as standard input, -, it is kept",
+                            excerpt(shown, request->file, strlen(request->file)));
+  }
   int standard = 0;
   for (int k = 0; k < request->files; ++k) standard += input_is_standard(request->names[k]) ? 1 : 0;
   for (size_t k = 0; k < sizeof inputs / sizeof inputs[0]; ++k) {
@@ -252,7 +259,6 @@ bool request_check_inputs(const struct request *request, struct failure *failure
       return failure_in_usage(failure, "standard input is one file, not two");
     }
     if (!inputs[k].again || !is_read_once(path)) continue;
-    char shown[EXCERPT_BYTES];
     const char *const name = input_name(path);
     return failure_in_usage(failure, "%s: %s can be read once, and serves for one %s", inputs[k].option,
                             excerpt(shown, name, strlen(name)), each ? "molecule" : "file");
