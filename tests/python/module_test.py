@@ -4,6 +4,7 @@ import contextlib
 import inspect
 import math
 import os
+import pickle
 import shutil
 import signal
 import subprocess
@@ -369,6 +370,9 @@ class Values(unittest.TestCase):
         self.assertEqual(pair.svg(bonds=[[0, 1, 1]], towards=[0, 0, 1]), sticks)
         self.assertTrue(arcs[1] < arcs[2] < arcs[3], arcs)
         self.assertGreater(arcs["aromatic"], arcs[2])
+        three = hardsphere.Balls([[0, 0, 0], [2, 0, 0], [4, 0, 0]], [0.5] * 3)
+        drawn = [three.svg(bonds=zip([k], [k + 1]), towards=[0, 0, 1]) for k in (0, 1)]
+        self.assertEqual(drawn, [three.svg(bonds=[(k, k + 1)], towards=[0, 0, 1]) for k in (0, 1)])
         for kind in (0, 4, "double", None):
             with self.assertRaises(ValueError):
                 pair.svg(bonds=[(0, 1, kind)])
@@ -492,6 +496,7 @@ class AsPeopleTypeIt(unittest.TestCase):
         bare = hardsphere.read(f"{SOURCE}/tests/program/inputs/good/one.xyzr")
         self.assertEqual((bare.atom, bare.number, len(plain(bare.centers)[0])), ([""], [None], 3))
         for wrong, why in ((lambda: hardsphere.read("/none.pdb"), "none.pdb"),
+                           (lambda: hardsphere.read(b"/none\xe4.pdb"), "none.*No such file"),
                            (lambda: hardsphere.read(CRAMBIN, onyl="chain:A"), "onyl"),
                            (lambda: hardsphere.read(CRAMBIN, only="chain:Q"), "no atoms are left")):
             with self.assertRaisesRegex(ValueError, why):
@@ -754,6 +759,16 @@ class Wrong(unittest.TestCase):
         with self.assertRaises(hardsphere.Error) as refused:
             hardsphere.Balls(LENS, [1, 1]).gradient(sigma=[1, math.inf])
         self.assertEqual((refused.exception.status, refused.exception.ball), (hardsphere.E_NOT_FINITE, 1))
+
+    def test_exceptions_of_other_processes(self):
+        """They come pickled: what cannot be read then leaves a pool waiting for ever."""
+        for call in (lambda: hardsphere.measure(LENS, [1, -1]), lambda: hardsphere.measure(LENS, [1, 1], probe=-1),
+                     lambda: hardsphere.measure(LENS, [1]), lambda: hardsphere.Topology().get_counts()):
+            with self.assertRaises(ValueError) as refused:
+                call()
+            there = pickle.loads(pickle.dumps(refused.exception))
+            self.assertEqual((type(there), str(there), vars(there)),
+                             (type(refused.exception), str(refused.exception), vars(refused.exception)))
 
     def test_lengths(self):
         for centers, radii in ((LENS, [1]), ([[0, 0]], [1]), (LENS, [[1, 1], [1, 1]])):

@@ -359,8 +359,9 @@ class Balls(_Set):
             with called(colour="colors"):
                 text = view.picture_write(colors, title, **options)
         else:
-            sticks = self._handle(Sticks, self.model, [_stick_of(*bond) for bond in bonds], stick,
-                                  key=repr((key, list(map(tuple, bonds)), stick)), **look)
+            pairs = list(map(tuple, bonds))  # once: what comes from zip is gone then
+            sticks = self._handle(Sticks, self.model, [_stick_of(*bond) for bond in pairs], stick,
+                                  key=repr((key, pairs, stick)), **look)
             with called(colour="colors"):
                 text = sticks.picture_write_sticks(colors, title, **options)
         return Svg(text.decode())

@@ -51,6 +51,13 @@ if library.hsp_abi() != _ABI:
     raise ImportError(f"the library has ABI number {library.hsp_abi()}, and this module is for {_ABI}")
 
 
+def _again(kind: type[ValueError], args: tuple[Any, ...], fields: dict[str, Any]) -> ValueError:
+    """An exception of ours in another process, which has its text and not what it was made of."""
+    made = kind.__new__(kind, *args)
+    made.__dict__.update(fields)
+    return made
+
+
 class Error(ValueError):
     """A call failed. `status` is one of hardsphere.E_*, `ball` the index of the ball to blame, or None."""
 
@@ -59,6 +66,9 @@ class Error(ValueError):
         text = library.hsp_status_text(status).decode()
         named = self.ball is None and _to_blame(status, given or {})
         super().__init__(f"{named or text}{'' if self.ball is None else f' (ball {ball})'}{where and f' in {where}'}")
+
+    def __reduce__(self) -> Any:
+        return _again, (type(self), self.args, self.__dict__)
 
 
 def _to_blame(status: int, given: dict[str, Any]) -> str:
@@ -157,6 +167,9 @@ class Misshapen(ValueError):
     def __init__(self, argument: str, problem: str):
         self.argument, self.problem = argument, problem
         super().__init__(f"{argument}: {problem}")
+
+    def __reduce__(self) -> Any:
+        return _again, (type(self), self.args, self.__dict__)
 
 
 @contextmanager
