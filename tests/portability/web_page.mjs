@@ -209,6 +209,28 @@ same('models', await evaluate('document.getElementById("models").hidden'), false
 await put('model', '2');
 await until('JSON.parse(document.getElementById("picture").dataset.command).includes("--model")');
 
+// Another file of that name, which has one molecule only, is not asked for the second one.
+writeFileSync(`${work}/flat.sdf`, flat);
+await send('DOM.setFileInputFiles', {nodeId, files: [resolve(`${work}/flat.sdf`)]});
+await until('document.getElementById("models").hidden');
+await until(whole('flat.sdf'));
+
+// Where the program refuses to look for pockets it is not said that there are none.
+await put('wide', '1');
+await until('document.getElementById("message").textContent.includes("--pockets")');
+if (!(await text('pockets')).endsWith('not known')) throw new Error(`pockets: ${await text('pockets')}`);
+await put('wide', '3');
+await until('document.getElementById("pockets").textContent.endsWith("none")');
+
+// Of files that are on their way the last one counts, though a large one comes later.
+const row = k => `${3 * (k % 30)} ${3 * (Math.floor(k / 30) % 30)} ${3 * Math.floor(k / 900)} 1.6\n`;
+writeFileSync(`${work}/large.xyzr`, Array.from({length: 27000}, (_, k) => row(k)).join(''));
+for (const name of ['large.xyzr', 'flat.sdf']) {
+  await send('DOM.setFileInputFiles', {nodeId, files: [resolve(`${work}/${name}`)]});
+}
+await new Promise(done => setTimeout(done, 5000));
+await until(whole('flat.sdf'));
+
 // Screens: the first molecule in each kind of picture, light and dark, on a desk and on a telephone. Nothing is wider
 // than the screen, the page is as light or dark as it should be, and the picture is not empty.
 await send('DOM.setFileInputFiles', {nodeId, files: [resolve(`${work}/crambin.pdb`)]});

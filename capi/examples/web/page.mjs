@@ -38,6 +38,8 @@ function program_with(files) {
 }
 
 let shown; // what is in the page: files, names, options, numbers of its balls, the workers, and the picture's text
+let wanted; // what was asked for last: the same, unless it is still on its way
+let last_rank = 0; // of what was asked for
 let turned; // how the molecule is turned: a matrix in the viewer's frame
 let place; // the middle of what is seen, as parts of the picture, and how close
 let drawing = false, draw_again = false;
@@ -120,6 +122,9 @@ function areas(surfaces) {
     surfaces.map(([name, found]) => [name, found === undefined ? '…' : found.area ?? '', found?.volume ?? '']));
 }
 
+// What stands in a table without rows: where the program refused, nothing is known.
+const no_rows = found => found instanceof Error ? 'not known' : 'none';
+
 async function fill(file) {
   const {numbers, words} = file;
   const ask = async (...more) => {
@@ -142,17 +147,19 @@ async function fill(file) {
   areas(surfaces);
   const found = await ask('voids', '--probe', file.probe);
   table('voids', ...voids, ['', head('volume', 3), head('area', 2), 'lined by'],
-    (found.voids ?? []).map(one => [mark(one.void, one.balls), one.volume, one.area, lining(one.balls)]), 'none');
+    (found.voids ?? []).map(one => [mark(one.void, one.balls), one.volume, one.area, lining(one.balls)]),
+    no_rows(found));
   const held = await ask('pores', '--probe', file.probe, '--pockets', file.wide);
   table('pockets', ...pockets, ['', head('volume', 3), head('area', 2), 'mouths', 'lined by'],
     (held.pocket_list ?? []).map(one => [mark(one.pocket, one.balls), one.volume ?? '-', one.area ?? '-',
-      one.mouths.length, lining(one.balls)]), 'none');
+      one.mouths.length, lining(one.balls)]), no_rows(held));
   element('run').parentNode.hidden = file.run === undefined;
   if (file.run !== undefined) {
     const mean = await ask('measure', '--probe', file.probe, '--trajectory', file.run, '--mean');
-    table('run', file.run, `: ${mean.frames ?? 'no'} frames, probe ${length(file.probe)}`,
+    table('run', file.run, `: ${mean.frames === undefined ? '' : `${mean.frames} frames, `}probe ${length(file.probe)}`,
       ['', 'mean', 'deviation', 'least', 'most'], (mean.means ?? []).map(one => [
-        head(one.quantity, {area: 2, volume: 3}[one.quantity]), one.mean, one.deviation, one.least, one.most]), 'none');
+        head(one.quantity, {area: 2, volume: 3}[one.quantity]), one.mean, one.deviation, one.least, one.most]),
+      no_rows(mean));
   }
   element('numbers').setAttribute('aria-busy', 'false');
 }
@@ -284,14 +291,17 @@ function back() {
 
 // ---- a file comes in
 
-// Puts files into the page, with the options that stand there. What was in it stays if they cannot be read.
+// Puts files into the page, with the options that stand there. What was in it stays if they cannot be read. Of several
+// that are on their way the one that was asked for last counts, in whatever order they come.
 async function load(files, name, run) {
   element('message').textContent = '';
-  const file = {files, name, run, probe: element('probe').value, wide: element('wide').value};
+  const file = {files, name, run, rank: ++last_rank, probe: element('probe').value, wide: element('wide').value};
+  wanted = file;
+  const again = shown?.name === name && shown.files[name] === files[name];
   const numbers = file.numbers = program_with(files);
   const radii = element('radii').value;
   file.words = radii === 'bondi' ? [] : ['--radii', radii]; // files that have radii take no set
-  if (!element('models').hidden && shown?.name === name) file.words.push('--model', element('model').value);
+  if (!element('models').hidden && again) file.words.push('--model', element('model').value);
   try {
     file.bare = await numbers.json(['measure', name, ...file.words]);
     const {water_atoms, balls} = file.bare.input;
@@ -302,10 +312,18 @@ async function load(files, name, run) {
     file.measured = await numbers.json(['measure', name, ...file.words, '--probe', file.probe, '--per-ball']);
   } catch (error) {
     numbers.end();
-    element('message').textContent = error.message;
+    if (wanted === file) {
+      wanted = shown;
+      element('message').textContent = error.message;
+    }
     return;
   }
-  element('message').textContent = numbers.notes();
+  if (shown?.rank > file.rank) {
+    numbers.end();
+    return;
+  }
+  if (!(wanted?.rank > file.rank)) wanted = file;
+  if (file.rank === last_rank) element('message').textContent = numbers.notes();
   const {n, balls, input} = file.measured;
   const middle = [0, 1, 2].map(k => balls.reduce((sum, ball) => sum + ball.xyz[k] / n, 0));
   const reach = balls.reduce((most, {xyz, radius}) =>
@@ -320,7 +338,7 @@ async function load(files, name, run) {
   drawing = draw_again = false;
   element('models').hidden = !(input.models > 1);
   element('model').max = element('last_model').textContent = input.models;
-  if (another) element('model').value = 1;
+  if (!again) element('model').value = 1;
   for (const span of document.querySelectorAll('.unit')) span.textContent = file.unit;
   element('name').textContent = name;
   element('read').textContent = `${n} balls, ` +
@@ -345,7 +363,7 @@ async function take(list) {
   const run = names.find(name => A_RUN.test(name));
   const molecule = names.find(name => name !== run);
   if (molecule === undefined && run === undefined) return;
-  await (molecule === undefined ? load({...shown.files, ...files}, shown.name, run) : load(files, molecule, run));
+  await (molecule === undefined ? load({...wanted.files, ...files}, wanted.name, run) : load(files, molecule, run));
 }
 
 async function take_safely(list) {
@@ -370,7 +388,7 @@ addEventListener('drop', event => {
 
 element('options').addEventListener('submit', event => event.preventDefault());
 for (const id of ['probe', 'wide', 'radii', 'water', 'model']) {
-  element(id).addEventListener('change', () => load(shown.files, shown.name, shown.run));
+  element(id).addEventListener('change', () => wanted && load(wanted.files, wanted.name, wanted.run));
 }
 for (const id of ['kind', 'colour']) element(id).addEventListener('change', draw);
 
@@ -421,6 +439,11 @@ element('theme').addEventListener('click', () => set_theme(document.documentElem
 
 set_theme(system.matches);
 back();
-await load({'crambin.pdb': await unpacked(packed('first'))}, 'crambin.pdb');
-element('version').textContent = await shown.numbers.text(['--version']);
+const first = await unpacked(packed('first'));
+const about = program_with({}); // not the first molecule's, which another file may end
+about.text(['--version']).then(version => {
+  element('version').textContent = version;
+  about.end();
+});
+await load({'crambin.pdb': first}, 'crambin.pdb');
 document.body.dataset.ready = 'yes';
