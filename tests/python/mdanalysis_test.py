@@ -53,6 +53,15 @@ class Trajectory(unittest.TestCase):
         with self.assertRaises(ValueError):
             SASA(self.universe.atoms, environment=atoms)
 
+    def test_an_atom_that_is_there_twice(self):
+        """As in a sum of selections: it blocks once, and has its area."""
+        atoms, others = self.universe.select_atoms("resid 1-10"), self.universe.select_atoms("resid 5-20")
+        once = SASA(atoms, environment=atoms | others).run().results.areas
+        for environment in atoms + others, others + atoms:
+            self.assertTrue((SASA(atoms, environment=environment).run().results.areas == once).all())
+        with self.assertRaisesRegex(ValueError, "twice"):
+            SASA(atoms + others)
+
     def test_pockets_are_those_of_the_frames(self):
         run = Pockets(self.universe.atoms, narrow=0.8, wide=3.0, least=1.0).run()
         radii = [hardsphere.radius_of(e.capitalize()) for e in self.universe.atoms.elements]

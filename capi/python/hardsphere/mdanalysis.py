@@ -40,9 +40,9 @@ def _lasting(atoms: Any) -> Any:
 
 
 class SASA(AnalysisBase):
-    """Areas of some atoms, while all of the environment blocks. radii: one for each atom of the environment, in
-    angstrom; they are copied: an array may change then. box=True: in the frame's periodic box. cavities=True:
-    results.cavities too, a list for each frame."""
+    """Areas of some atoms, each of them once, while all of the environment blocks. radii: one for each atom of the
+    environment, in angstrom; they are copied: an array may change then. box=True: in the frame's periodic box.
+    cavities=True: results.cavities too, a list for each frame."""
 
     def __init__(self, atoms: Any, environment: Any = None, radii: Any = None, probe: float = 1.4, box: bool = False,
                  cavities: bool = False, **keywords: Any):
@@ -52,9 +52,13 @@ class SASA(AnalysisBase):
         self.atoms, self.environment = _lasting(atoms), _lasting(atoms if environment is None else environment)
         self.radii = radii_of(self.environment) if radii is None else copied(radii)
         self.probe, self.box, self.want_cavities = probe, box, cavities
-        rank = {index: k for k, index in enumerate(self.environment.indices)}
+        rank: dict[int, int] = {}
+        for k, index in enumerate(self.environment.indices):
+            rank.setdefault(index, k)  # of one that is there twice the first one has the area
         if any(index not in rank for index in self.atoms.indices):
             raise ValueError("the environment has to hold all atoms of the selection")
+        if len(set(self.atoms.indices)) < len(self.atoms):
+            raise ValueError("an atom is in the selection twice: its .unique has each once")
         self.own = numpy.array([rank[index] for index in self.atoms.indices], dtype=int)
         self.balls: Any = None
 
