@@ -24,7 +24,7 @@
 #if !defined(HSP_NO_CONTRACTION) && (defined(__FMA__) || defined(__ARM_FEATURE_FMA) || defined(__FP_FAST_FMA))
 #error "hardsphere needs -ffp-contract=off, and with g++ -fno-tree-vectorize: say so by -DHSP_NO_CONTRACTION"
 #endif
-static_assert(0.1 != static_cast<float>(0.1), "hardsphere needs constants of double precision: no -fsingle-precision-constant");
+static_assert(0.1 != static_cast<float>(0.1), "hardsphere must not be compiled with -fsingle-precision-constant");
 static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<double>::digits == 53);
 
 namespace hsp {
