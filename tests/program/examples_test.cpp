@@ -600,6 +600,13 @@ TEST(Examples, BricksHaveTheWholesVoids) {
   EXPECT_NE(damaged.err.find("not as they were written"), std::string::npos) << damaged.err;
   std::filesystem::remove_all(folder);
   EXPECT_EQ(run("0", false).status, 2);
+  // Points have one lattice in all bricks.
+  const TemporaryFile points("points.xyzr", "0.3 0.1 0.2 0\n1 0.5 0 0\n");
+  const auto of_points = [&](const char *size) {
+    return run_example("bricks", {points.path(), "2", "2", "2", "6", "5", "4", size});
+  };
+  EXPECT_EQ(of_points("6").out.rfind("240 balls, 240 components, 0 voids", 0), 0u);
+  EXPECT_EQ(of_points("1").out, of_points("6").out);
   // More bricks than numbers for them.
   using Cells = std::array<const char *, 3>;
   for (const Cells &cells : {Cells{"65536", "65536", "1"}, Cells{"2097153", "1", "1"}, Cells{"2147483647", "1", "1"}}) {

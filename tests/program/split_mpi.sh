@@ -24,7 +24,11 @@ for x in -1 1; do for y in -1 1; do for z in -1 1; do echo "$x $y $z 1.5"; done;
 awk 'BEGIN { for (i = 0; i < 120; ++i) printf "%.12f %.12f %.12f %.12f\n", 0.9 * i, sin(i), cos(1.7 * i), 0.2 + i / 70 }' \
   >"$work/growing.xyzr"
 
-for balls in "$work/crambin.xyzr" "$work/growing.xyzr" "$work/cube.xyzr" "$source/tests/portability/inputs/degenerate.xyzr" \
+# Points, two of which are one on the lattice of the whole.
+printf '0 0 0 0\n1 0 0 0\n1.000000001 0 0 0\n2 0 0 0\n' >"$work/points.xyzr"
+
+for balls in "$work/crambin.xyzr" "$work/growing.xyzr" "$work/cube.xyzr" "$work/points.xyzr" \
+  "$source/tests/portability/inputs/degenerate.xyzr" \
   "$source/tests/program/inputs/good/corners.xyzr"; do
   "$mpiexec" -n 1 "$program" "$balls" >"$work/one" 2>"$work/log" || { cat "$work/log" && exit 1; }
   "$mpiexec" -n "$ranks" "$program" "$balls" check >"$work/several" 2>"$work/log" || { cat "$work/log" && exit 1; }
@@ -39,6 +43,7 @@ for balls in "$work/crambin.xyzr" "$work/growing.xyzr" "$work/cube.xyzr" "$sourc
     # Each rank has something to do, and neighbours.
     grep -qE "^$ranks ranks, [1-9][0-9]+ balls in halos, [1-9][0-9]+ bytes" "$work/log"
   fi
+  if [[ $balls == *points* ]]; then grep -q ', 3 components, ' "$work/several"; fi
   if [[ $balls == *cube* ]]; then grep -qE ', 1 components, 1 voids, Euler number 4$' "$work/several"; fi
 done
 

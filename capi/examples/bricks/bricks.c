@@ -127,6 +127,7 @@ static int32_t compute(struct crystal *crystal, uint32_t brick, brick_summary *s
   hsp_model_options options;
   int32_t status = hsp_model_options_init(&options, sizeof options);
   options.largest_radius = crystal->largest_radius;
+  if (crystal->largest_radius == 0) options.step = 1e-8; /* which would follow from the points that are there */
   if (status == HSP_OK) {
     status = hsp_workspace_set(&crystal->work, balls->count, balls->xyz, balls->radius, &options, NULL);
   }

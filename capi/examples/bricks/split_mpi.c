@@ -38,6 +38,8 @@ struct part {
 static int rank, ranks;
 static MPI_Datatype of_ball;
 static double largest_radius; /* of all balls */
+/* Where all are points: it would follow from those that are there. */
+static const double step_of_points = 1e-8;
 
 static void *need(void *memory) {
   if (memory == NULL) {
@@ -188,7 +190,7 @@ static void free_part(struct part *part) {
 /* Each ball to its owner, and to the ranks in whose regions it may meet a ball: two largest radii, and a little more
  * for what rounding to the lattice adds. */
 static struct part exchange(struct ball *own, int count, const struct region *region) {
-  const double reach = 2 * largest_radius * (1 + 1e-6);
+  const double reach = largest_radius > 0 ? 2 * largest_radius * (1 + 1e-6) : 2 * step_of_points;
   int *const out = need(calloc(4 * (size_t)ranks, sizeof *out)), *const in = out + ranks, *const out_at = in + ranks,
              *const in_at = out_at + ranks;
   struct ball *to = NULL;
@@ -234,7 +236,7 @@ static int32_t compute(struct part *part, uint32_t brick, uint32_t bricks, brick
       .struct_size = sizeof request, .brick = brick, .bricks = bricks, .id = part->id, .owner = part->owner};
   int32_t status = hsp_model_options_init(&options, sizeof options);
   options.largest_radius = largest_radius;
-  if (largest_radius == 0) options.step = 1e-8; /* which would follow from the points that are there */
+  if (largest_radius == 0) options.step = step_of_points;
   if (status == HSP_OK) status = hsp_workspace_set(&work, n, part->xyz, part->radius, &options, NULL);
   if (status == HSP_OK) status = hsp_workspace_boundary(&work);
   if (status == HSP_OK) status = hsp_boundary_measure(work.boundary, NULL, NULL, part->area, NULL, n, NULL);
