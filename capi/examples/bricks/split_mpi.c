@@ -56,7 +56,7 @@ static int share_of(uint64_t all, int k) {
   return (int)(all * (uint64_t)(k + 1) / (uint64_t)ranks - all * (uint64_t)k / (uint64_t)ranks);
 }
 
-/* Whether all have a place. What has none is in no region, so that no rank would take it. */
+/* Whether all have a place. A ball that has none is in no region, so that no rank would take it. */
 static int have_places(const struct balls *balls) {
   for (uint32_t i = 0; i < balls->count; ++i) {
     const double *const centre = balls->xyz + 3 * (size_t)i;
