@@ -65,9 +65,10 @@ HSP_API int32_t HSP_CALL hsp_areas(uint32_t n, const double *xyz, const double *
  *  integers, and differ in the last bits.
  *  - Property 1: area[i] and volume_term[i] do not depend on the order of the balls, bit for bit.
  *
- *  Accuracy: about 1e-14 of the total for molecules. In general an area has an error of a few 1e-16 of r^2 for each of
- *  its arcs and circles. A volume term has r times that error, and some 1e-16 of area[i] times the distance from o. A
- *  total of n terms adds up the errors of its terms, and log2(n) 1e-16 of the sum of their magnitudes.
+ *  Accuracy: about 1e-14 of the total for molecules. In general an area has an error of a few 1e-16 of r^2, and of its
+ *  own size, for each of its arcs and circles. A volume term has r times that error, and some 1e-16 of area[i] times
+ *  the distance from o. A total of n terms adds up the errors of its terms, and log2(n) 1e-16 of the sum of their
+ *  magnitudes.
  *  Cost: O(n + arcs and circles of the selected balls' faces).
  *  @retval HSP_E_ARGUMENT  boundary is NULL
  *  @retval HSP_E_CAPACITY  an array is given and capacity < n; nothing but *needed is written
