@@ -159,7 +159,7 @@ TEST(Residues, OfNamesInMol2) {
       // more digits than a number has room for
       {"1", "LIG123456789012", "LIG123456789012", "1", ""},
       {"1", "LIG123456789013", "LIG123456789013", "1", ""},
-      {"1", "LIG12345678901", "LIG", "12345678901", ""},
+      {"7", "LIG1234567890", "LIG", "1234567890", ""},
   };
   std::vector<std::pair<std::string, std::string>> residues;
   for (const Case &one : cases) residues.emplace_back(one.number, one.name);

@@ -173,7 +173,7 @@ TEST(UnusualFiles, NamesOfResiduesAreNotCut) {
     EXPECT_EQ(run_json({"measure", file.path(), "--altloc", locations})["n"].number, 2) << locations;
   }
   const TemporaryFile picture("two.svg");
-  EXPECT_EQ(run_program({"draw", two.path(), "--titles", "-o", picture.path()}).status, 0);
+  EXPECT_EQ(run_program({"draw", two.path(), "--tooltips", "-o", picture.path()}).status, 0);
   const struct {
     const char *row, *complaint;
   } refused[] = {

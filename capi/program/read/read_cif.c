@@ -198,8 +198,8 @@ static bool note_location(struct cif_reading *reading, bool goes_on) {
   const struct field group = cif_row_get(row, CIF_DISORDER_GROUP);
   label_copy(assembly.chain, sizeof assembly.chain, cif_row_get(row, CIF_DISORDER_ASSEMBLY));
   const struct residue_place place = residue_place_of(&assembly, (struct field){"", 0});
-  return group.length == 0 || location_choice_add(&reading->choice, molecule, &place, nameless.name, nameless.name,
-                                                  group, occupancy, reading->failure);
+  return group.length == 0 || location_choice_add(&reading->choice, molecule, &place, nameless.name,
+                                                  residue_nameless.name, group, occupancy, reading->failure);
 }
 
 static bool is_in_part(struct field occupancy) {
