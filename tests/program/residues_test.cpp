@@ -186,6 +186,27 @@ TEST(Residues, OfNamesInMol2) {
   }
 }
 
+// Two in a row may have one name and one number, where .mol2 has another number before it, or mmCIF another
+// label_asym_id.
+TEST(Residues, OfTheSameNameInARow) {
+  const auto atoms_of = [](const std::string &extension, const std::string &text) {
+    const TemporaryFile file("row." + extension, text);
+    std::vector<double> atoms;
+    for (const Json &residue : run_json({"measure", file.path(), "--by", "residue"})["residues"].items)
+      atoms.push_back(residue["atoms"].number);
+    return atoms;
+  };
+  const std::vector<double> two = {2, 1}, one = {3};
+  EXPECT_EQ(atoms_of("mol2", mol2_of({{"1", "LIG7"}, {"1", "LIG7"}, {"2", "LIG7"}})), two);
+  EXPECT_EQ(atoms_of("mol2", mol2_of({{"1", "LIG7"}, {"1", "LIG7"}, {"1", "LIG7"}})), one);
+  EXPECT_EQ(atoms_of("mol2", mol2_of({{"-1", "LIG7"}, {"-1", "LIG7"}, {"-1", "LIG7"}})), one);
+  const std::string head =
+      "data_a\nloop_\n_atom_site.type_symbol\n_atom_site.label_atom_id\n_atom_site.label_comp_id\n"
+      "_atom_site.auth_asym_id\n_atom_site.label_asym_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n";
+  EXPECT_EQ(atoms_of("cif", head + "C C1 LIG A B 0 0 0\nC C2 LIG A B 9 0 0\nC C1 LIG A C 19 0 0\n"), two);
+  EXPECT_EQ(atoms_of("cif", head + "C C1 LIG A B 0 0 0\nC C2 LIG A B 9 0 0\nC C1 LIG A B 19 0 0\n"), one);
+}
+
 // Crambin has 46 residues, numbers 10A and 10B among them, but no 11. Their sums are those of the balls that the CSV
 // puts into them.
 TEST(Residues, SumUpToTheBallsOfCrambin) {

@@ -25,7 +25,8 @@ struct residue_label {
   char number[12]; /* as written, without the insertion code */
   char insertion[2];
   uint16_t repeat; /* counts residues in a row that have the same names and numbers, modulo 65536 */
-  uint32_t asym;   /* of mmCIF: the number of label_asym_id in the molecule's table; 0: none */
+  uint32_t asym;   /* of mmCIF: the number of label_asym_id in the molecule's table; of .mol2 the number before its
+                      name; 0: none */
 };
 
 #define RESIDUE_LABEL_NONE \

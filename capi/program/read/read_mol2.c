@@ -79,10 +79,13 @@ static bool strip_number(struct field *name, struct field *number, struct field 
 }
 
 /* The name of a residue mostly ends in its number, but digits belong to many names as well. The number before the name
- * may be that number, or count the residues of the file. "<0>": there is none. */
+ * may be that number, or count the residues of the file: two in a row may have one name, LIG1 of two chains. "<0>":
+ * there is none. */
 static void take_residue(struct residue_label *residue, struct field number, struct field name) {
   struct field code = {"", 0};
+  uint64_t count;
   if (name.text[0] == '<') return;
+  if (number_parse_count(number.text, number.length, &count) == NUMBER_OK) residue->asym = (uint32_t)count;
   if (ends_in_number(name, number)) {
     name.length -= number.length;
   } else if (!is_known(name)) {

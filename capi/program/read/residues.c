@@ -22,8 +22,8 @@ const char *residue_text(char out[RESIDUE_TEXT_BYTES], const struct residue_labe
 
 bool residue_label_same(const struct residue_label *a, const struct residue_label *b) {
   if (a == b) return true;
-  return a->repeat == b->repeat && strcmp(a->number, b->number) == 0 && strcmp(a->insertion, b->insertion) == 0 &&
-         strcmp(a->name, b->name) == 0 && strcmp(a->chain, b->chain) == 0;
+  return a->repeat == b->repeat && a->asym == b->asym && strcmp(a->number, b->number) == 0 &&
+         strcmp(a->insertion, b->insertion) == 0 && strcmp(a->name, b->name) == 0 && strcmp(a->chain, b->chain) == 0;
 }
 
 static void begin_group(struct atom_groups *groups, uint32_t first) {

@@ -21,9 +21,10 @@ bool residue_label_same(const struct residue_label *a, const struct residue_labe
 
 enum grouping {
   GROUPING_NONE,
-  /* A residue: neighbours in the file with the same chain, name, number and insertion code. Numbers may begin anew in
-   * the same chain, as those of water do after 9999; so residues of one name that lie apart are two. Where numbers are
-   * missing or stars, an atom's name that comes again begins one. */
+  /* A residue: neighbours in the file with the same chain, name, number and insertion code, and of mmCIF with the same
+   * label_asym_id, of .mol2 with the same number before the name. Numbers may begin anew in the same chain, as those of
+   * water do after 9999; so residues of one name that lie apart are two. Where numbers are missing or stars, an atom's
+   * name that comes again begins one. */
   GROUPING_RESIDUE,
   /* A chain: all atoms with its letter, wherever they stand: ligands and water often follow all the chains. */
   GROUPING_CHAIN,
