@@ -40,6 +40,7 @@ function program_with(files) {
 let shown; // what is in the page: files, names, options, numbers of its balls, the workers, and the picture's text
 let wanted; // what was asked for last: the same, unless it is still on its way
 let last_rank = 0; // of what was asked for
+let reading = 0; // how many times files are read now
 let turned; // how the molecule is turned: a matrix in the viewer's frame
 let place; // the middle of what is seen, as parts of the picture, and how close
 let drawing = false, draw_again = false;
@@ -293,9 +294,10 @@ function back() {
 
 // Puts files into the page, with the options that stand there. What was in it stays if they cannot be read. Of several
 // that are on their way the one that was asked for last counts, in whatever order they come.
-async function load(files, name, run) {
+async function load(files, name, run, rank = ++last_rank) {
+  if (wanted?.rank > rank) return;
   element('message').textContent = '';
-  const file = {files, name, run, rank: ++last_rank, probe: element('probe').value, wide: element('wide').value};
+  const file = {files, name, run, rank, probe: element('probe').value, wide: element('wide').value};
   wanted = file;
   const again = shown?.name === name && shown.files[name] === files[name];
   const numbers = file.numbers = program_with(files);
@@ -350,25 +352,30 @@ async function load(files, name, run) {
   await fill(file);
 }
 
-async function take(list) {
+async function take(list, rank) {
   const files = {};
-  for (const one of list) {
-    let bytes = new Uint8Array(await one.arrayBuffer());
-    // A name that begins with - would be an option.
-    let name = one.name.replace(/^-/, '_');
-    if (/\.gz$/i.test(name)) [name, bytes] = [name.slice(0, -3), await unpacked(bytes)];
-    files[name] = bytes;
+  ++reading;
+  try {
+    for (const one of list) {
+      let bytes = new Uint8Array(await one.arrayBuffer());
+      // A name that begins with - would be an option.
+      let name = one.name.replace(/^-/, '_');
+      if (/\.gz$/i.test(name)) [name, bytes] = [name.slice(0, -3), await unpacked(bytes)];
+      files[name] = bytes;
+    }
+  } finally {
+    --reading;
   }
   const names = Object.keys(files);
   const run = names.find(name => A_RUN.test(name));
   const molecule = names.find(name => name !== run);
-  if (molecule === undefined && run === undefined) return;
-  await (molecule === undefined ? load({...wanted.files, ...files}, wanted.name, run) : load(files, molecule, run));
+  if (molecule !== undefined) await load(files, molecule, run, rank);
+  else if (run !== undefined && wanted) await load({...wanted.files, ...files}, wanted.name, run, rank);
 }
 
 async function take_safely(list) {
   try {
-    await take([...list]);
+    await take([...list], ++last_rank);
   } catch (error) {
     element('message').textContent = error.message;
   }
@@ -388,7 +395,8 @@ addEventListener('drop', event => {
 
 element('options').addEventListener('submit', event => event.preventDefault());
 for (const id of ['probe', 'wide', 'radii', 'water', 'model']) {
-  element(id).addEventListener('change', () => wanted && load(wanted.files, wanted.name, wanted.run));
+  // What is read comes with the options of then.
+  element(id).addEventListener('change', () => reading === 0 && wanted && load(wanted.files, wanted.name, wanted.run));
 }
 for (const id of ['kind', 'colour']) element(id).addEventListener('change', draw);
 
