@@ -1,4 +1,5 @@
 #include "core/elementary.hpp"
+#include "core/extremes.hpp"
 #include "hsp_view.hpp"
 #include "picture/painted_paths.hpp"
 #include "view/projected_arcs.hpp"
@@ -17,7 +18,8 @@ hsp_view_arc to_c(const hsp::BallSet &balls, const hsp::ProjectedArc &arc, uint3
   hsp_view_arc out{};
   length.point(arc.ellipse.centre, out.centre);
   out.semi_axis[0] = length(length_of(arc.ellipse.major));
-  out.semi_axis[1] = length(length_of(arc.ellipse.minor));
+  // Of an ellipse that is nearly a circle roundings might make the lesser one the larger one.
+  out.semi_axis[1] = hsp::smaller_of(length(length_of(arc.ellipse.minor)), out.semi_axis[0]);
   out.rotation = hsp::arc_tangent(arc.ellipse.major[1], arc.ellipse.major[0]);
   out.from = arc.from;
   out.to = arc.to;

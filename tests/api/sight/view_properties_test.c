@@ -314,6 +314,20 @@ static void touching_balls(void) {
   }
 }
 
+/* Two balls one behind the other but for one lattice step meet in an ellipse that is a circle up to rounding. */
+static void nearly_a_circle(void) {
+  static const double xyz[6] = {0, 0, 0, -1, -1 - 1e-8, -1e-8}, radius[2] = {1.5, 1.5};
+  hsp_view_options options = options_for(0, WAYS - 1);
+  computed c;
+  view_result v;
+  options.towards[0] = options.towards[1] = 1;
+  check_scene("%s", "nearly a circle");
+  CHECK_EQUAL(computed_make(2, xyz, radius, NULL, &c), HSP_OK);
+  CHECK_EQUAL(view_result_make(&c, &options, 1, &v), HSP_OK);
+  check_nothing_broken(broken_view(&v));
+  release(&v, &c);
+}
+
 int main(void) {
   every_set();
   few_balls();
@@ -321,6 +335,7 @@ int main(void) {
   hidden_in_any_order();
   two_balls();
   touching_balls();
+  nearly_a_circle();
   check_scene("%s", "all sets");
   CHECK(mostly_decided(&view_pieces_decided, 0.9));
   CHECK(mostly_decided(&view_sights_decided, 0.9));
