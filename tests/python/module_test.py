@@ -373,6 +373,10 @@ class Values(unittest.TestCase):
         three = hardsphere.Balls([[0, 0, 0], [2, 0, 0], [4, 0, 0]], [0.5] * 3)
         drawn = [three.svg(bonds=zip([k], [k + 1]), towards=[0, 0, 1]) for k in (0, 1)]
         self.assertEqual(drawn, [three.svg(bonds=[(k, k + 1)], towards=[0, 0, 1]) for k in (0, 1)])
+        with self.assertRaises(hardsphere.Error) as refused:  # the ball in the middle
+            three.svg(bonds=[(0, 2)])
+        conflict = refused.exception.conflict
+        self.assertEqual((conflict.kind, conflict.first, conflict.second), (hardsphere.STICKS_STICK_IN_BALL, 0, 1))
         for kind in (0, 4, "double", None):
             with self.assertRaises(ValueError):
                 pair.svg(bonds=[(0, 1, kind)])
@@ -466,6 +470,15 @@ class Bricks(unittest.TestCase):
         with self.assertRaises(hardsphere.Error) as missing:
             hardsphere.brick_get_totals(first)
         self.assertEqual(missing.exception.status, hardsphere.E_STATE)
+        self.assertEqual(missing.exception.conflict, 1)
+        with self.assertRaises(hardsphere.Error) as twice:
+            hardsphere.brick_merge(first, first)
+        self.assertEqual((twice.exception.status, twice.exception.conflict), (hardsphere.E_ID, 0))
+        apart = hardsphere.Balls([[0, 0, 0], [80, 0, 0]], [5, 5]).boundary  # the second ball does not meet the first one
+        with self.assertRaises(hardsphere.Error) as lacking:
+            hardsphere.brick_merge(first, apart.brick_summarise(brick=1, bricks=2, flags=hardsphere.BRICK_KEEP_SHELLS,
+                                                                id=[7, 9], owner=[0, 1]))
+        self.assertEqual((lacking.exception.status, lacking.exception.conflict), (hardsphere.E_CONFLICT, 1))
         with self.assertRaises(hardsphere.Error) as damaged:
             hardsphere.brick_merge(first[:-8], second)
         self.assertEqual(damaged.exception.status, hardsphere.E_DAMAGED)

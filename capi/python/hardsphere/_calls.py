@@ -21,7 +21,7 @@ except ImportError:
     numpy = None  # type: ignore[assignment]
 
 _NONE, _ABI = 0xFFFFFFFF, 2
-_ARGUMENT, _CAPACITY, _REFUSED, _NOT_FINITE, _NEGATIVE, _RANGE, _EXECUTOR = -1, -2, -7, -10, -11, -12, -15
+_ARGUMENT, _CAPACITY, _REFUSED, _NOT_FINITE, _NEGATIVE, _RANGE, _CONFLICT, _EXECUTOR = -1, -2, -7, -10, -11, -12, -13, -15
 _SCALARS = {"double": C.c_double, "int32_t": C.c_int32, "uint32_t": C.c_uint32, "uint8_t": C.c_uint8,
             "int64_t": C.c_int64, "uint64_t": C.c_uint64, "size_t": C.c_size_t}
 _WHOLE = set(_SCALARS) - {"double", "uint8_t"}
@@ -59,10 +59,12 @@ def _again(kind: type[ValueError], args: tuple[Any, ...], fields: dict[str, Any]
 
 
 class Error(ValueError):
-    """A call failed. `status` is one of hardsphere.E_*, `ball` the index of the ball to blame, or None."""
+    """A call failed. `status` is one of hardsphere.E_*, `ball` the index of the ball to blame, or None. `conflict` says
+    which sticks or bricks do not fit together, or which brick is missing: a SticksConflict or a number, else None."""
 
-    def __init__(self, status: int, ball: int = _NONE, where: str = "", given: dict[str, Any] | None = None):
-        self.status, self.ball = status, None if ball == _NONE else ball
+    def __init__(self, status: int, ball: int = _NONE, where: str = "", given: dict[str, Any] | None = None,
+                 conflict: Any = None):
+        self.status, self.ball, self.conflict = status, None if ball == _NONE else ball, conflict
         text = library.hsp_status_text(status).decode()
         named = self.ball is None and _to_blame(status, given or {})
         super().__init__(f"{named or text}{'' if self.ball is None else f' (ball {ball})'}{where and f' in {where}'}")
@@ -154,9 +156,10 @@ def _type(base: str) -> Any:
     return _SCALARS[base] if base in _SCALARS else C.c_char_p if base == "char" else _records[base]
 
 
-def _check(status: int, where: str, ball: int = _NONE, given: dict[str, Any] | None = None) -> None:
+def _check(status: int, where: str, ball: int = _NONE, given: dict[str, Any] | None = None,
+           conflict: Any = None) -> None:
     if status != 0:
-        raise Error(status, ball, where, given)
+        raise Error(status, ball, where, given, conflict)
 
 
 # ---- arrays ----------------------------------------------------------------------------------------------------------
@@ -728,7 +731,9 @@ def call(name: str, handle: Handle | None, only: Iterable[str] | None = None, **
     if described.result != "int32_t":
         return status.decode() if isinstance(status, bytes) else status
     bad = made.pop("first_bad", None)
-    _check(status, name, _NONE if bad is None else bad.value, values)
+    part = made["brick"].value if "brick" in made else _NONE
+    conflict = made["conflict"] if status == _CONFLICT and "conflict" in made else None if part == _NONE else part
+    _check(status, name, _NONE if bad is None else bad.value, values, conflict)
     if handle is not None and name.endswith("get_model"):
         values["model"].n = handle.n
     if calls_back:
