@@ -381,7 +381,10 @@ async function take_safely(list) {
   }
 }
 
-element('file').addEventListener('change', ({target}) => take_safely(target.files));
+element('file').addEventListener('change', ({target}) => {
+  take_safely(target.files);
+  target.value = ''; // so that the same file, which may have changed, can be chosen again
+});
 addEventListener('dragover', event => {
   event.preventDefault();
   document.body.classList.add('over');
