@@ -270,8 +270,8 @@ static int prepare(struct crystal *crystal, char **argument) {
     crystal->side[k] = atof(argument[2 + k]);
     crystal->cells[k] = atoi(argument[5 + k]);
     if (!(crystal->side[k] > 0) || crystal->cells[k] < 1 || crystal->size < 1) return 0;
-    if (crystal->cells[k] > MOST_CELLS || crystal->size > MOST_CELLS) return 0;
-    crystal->bricks[k] = (crystal->cells[k] + crystal->size - 1) / crystal->size;
+    if (crystal->cells[k] > MOST_CELLS) return 0;
+    crystal->bricks[k] = 1 + (crystal->cells[k] - 1) / crystal->size;
     bricks *= (uint64_t)crystal->bricks[k];
     if (crystal->bricks[k] > 1 << PLACE_BITS || bricks > INT32_MAX) return 0;
     crystal->low[k] = crystal->high[k] = crystal->molecule.xyz[k];

@@ -228,10 +228,11 @@ bool request_check_several(const struct request *request, struct failure *failur
   return true;
 }
 
-/* Whether a second reading finds nothing: standard input, or a pipe by name. */
+/* Whether a second reading finds nothing: standard input, or a pipe by name. A device like /dev/null is read again. */
 static bool is_read_once(const char *path) {
   struct stat found;
-  return input_is_standard(path) || (stat(path, &found) == 0 && !S_ISREG(found.st_mode) && !S_ISDIR(found.st_mode));
+  if (input_is_standard(path)) return true;
+  return stat(path, &found) == 0 && !S_ISREG(found.st_mode) && !S_ISDIR(found.st_mode) && !S_ISCHR(found.st_mode);
 }
 
 bool request_check_inputs(const struct request *request, struct failure *failure) {
