@@ -510,6 +510,7 @@ class AsPeopleTypeIt(unittest.TestCase):
         self.assertEqual((bare.atom, bare.number, len(plain(bare.centers)[0])), ([""], [None], 3))
         for wrong, why in ((lambda: hardsphere.read("/none.pdb"), "none.pdb"),
                            (lambda: hardsphere.read(b"/none\xe4.pdb"), "none.*No such file"),
+                           (lambda: hardsphere.read("-none.pdb"), "-none.pdb.*No such file"),
                            (lambda: hardsphere.read(CRAMBIN, onyl="chain:A"), "onyl"),
                            (lambda: hardsphere.read(CRAMBIN, only="chain:Q"), "no atoms are left")):
             with self.assertRaisesRegex(ValueError, why):

@@ -35,7 +35,7 @@ def said(command: str, file: str, *options: str, **named: Any) -> Any:
     for name, value in named.items():
         if value is not None and value is not False:
             words += [f"--{name.replace('_', '-')}", *([] if value is True else [str(value)])]
-    run = subprocess.run([path(), command, os.fspath(file), "--json", *words], capture_output=True, text=True,
+    run = subprocess.run([path(), command, "--json", *words, "--", os.fspath(file)], capture_output=True, text=True,
                          encoding="utf-8", errors="replace", env=_environment(), check=False)
     if run.returncode != 0:
         raise ValueError(run.stderr.strip() or f"the program ended with status {run.returncode}")
