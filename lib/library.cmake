@@ -71,6 +71,11 @@ set(HSP_SOURCES_OF_LANES
 list(TRANSFORM HSP_SOURCES_OF_LANES PREPEND ${PROJECT_SOURCE_DIR}/)
 set(HSP_SOURCES_OF_LANES ${HSP_SOURCES_OF_LANES} CACHE INTERNAL "Sources with lanes of registers alone")
 
+# The same bits with and without fused multiply-add, and in a project that is compiled with -Ofast, or with parts of it like
+# -ffinite-math-only.
+set(HSP_IEEE_OPTIONS -fno-unsafe-math-optimizations -fno-finite-math-only -ffp-contract=off
+  CACHE INTERNAL "Arithmetic of IEEE 754 as it is written")
+
 # hsp_add_to_unit(unit source target folders options): for hsp_library_objects, a source to one of its units, or by itself.
 function(hsp_add_to_unit unit source target folders options)
   set(file ${source})
@@ -189,14 +194,13 @@ function(hsp_library_objects name)
   target_include_directories(${name} INTERFACE ${hardsphere_SOURCE_DIR}/include ${HSP_PART_FOLDERS})
   target_compile_definitions(${name} PUBLIC ${HSP_COMPONENT_DEFINITIONS} HSP_NO_CONTRACTION=1
     $<$<BOOL:${HSP_PORTABLE_LIMBS}>:HSP_PORTABLE_LIMBS=1> $<$<BOOL:${wide}>:HSP_AVX2=1> $<$<BOOL:${lanes}>:HSP_LANES=1> ${ARGN} PRIVATE HSP_TARGET=baseline)
-  # A project that is compiled with -Ofast, or parts of it like -ffinite-math-only, may carry the library, and one for a
-  # microcontroller with -fsingle-precision-constant: none of it is on here.
-  # -ffp-contract=off: the same bits with and without fused multiply-add. The vectorizer of g++ 12 does not obey it: it
-  # makes fused instructions of complex products (vfmaddsub, fcmla), hence it is off. HSP_NO_CONTRACTION: both are given.
+  # The vectorizer of g++ 12 does not obey -ffp-contract=off: it makes fused instructions of complex products (vfmaddsub,
+  # fcmla), hence it is off. HSP_NO_CONTRACTION: both are given. Projects for microcontrollers may have constants of single
+  # precision; the library has not.
   # A section for each function and table, so that the linker can leave out what a program does not call.
   # -fno-gnu-unique: constants of headers are weak symbols as functions are, which an archive of one object makes local.
   # The rest keeps the C++ run time out.
-  target_compile_options(${name} PUBLIC -fno-unsafe-math-optimizations -fno-finite-math-only -ffp-contract=off PRIVATE
+  target_compile_options(${name} PUBLIC ${HSP_IEEE_OPTIONS} PRIVATE
     $<$<CXX_COMPILER_ID:GNU>:-fno-single-precision-constant>
     $<$<CXX_COMPILER_ID:GNU>:-fno-tree-vectorize> $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>
     ${HSP_OPTIMIZATION} -ffunction-sections -fdata-sections -fno-math-errno -fno-exceptions -fno-rtti

@@ -8,7 +8,7 @@
 #   lto        -flto alone
 #   single     as one object: nothing but the header's functions in its symbol table; a project's own -ffinite-math-only and
 #              -fsingle-precision-constant do not reach it
-#   clang      compiled by clang, in a project that computes with -ffast-math
+#   clang      compiled by clang, in a project that computes with -ffast-math; the program, too
 #   lld        what is installed in INSTALL-PREFIX, linked by clang and lld
 #   musl       the same, linked with the C library musl, statically
 # The shared library and the single object with -O0, which inlines nothing that could be exported; others with -O1, which
@@ -34,7 +34,7 @@ case $variant in
     links=('-Wl,-z,relro -Wl,-z,now -pie -fPIE')
     ;;
   clang)
-    cc=clang cxx=clang++ flags=-ffast-math
+    cc=clang cxx=clang++ flags=-ffast-math options=(-DHSP_TOOL=ON)
     need clang && need clang++
     ;;
   lld)
@@ -85,6 +85,11 @@ case $variant in
     ;;
   single | clang | lld | musl) bash "$here/archive_symbols.sh" "$libraries/libhardsphere.a" "$source" ;;
 esac
+# What is not known is no number, which arithmetic without NaN would print as one.
+if [ "$variant" = clang ]; then
+  echo 0 0 0 1 >"$work/one.xyzr"
+  "$prefix/bin/hardsphere" model --json "$work/one.xyzr" | grep -q '"rho": null'
+fi
 
 # Programs in C99, C++20 and C++23.
 PKG_CONFIG_PATH=$libraries/pkgconfig
