@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <string_view>
+#include <utility>
 
 namespace {
 
@@ -184,12 +185,16 @@ class Reader {
 
 }  // namespace
 
-const Json &Json::operator[](const std::string &key) const {
+const Json &Json::operator[](const std::string &key) const & {
   static const Json none;
   for (size_t i = 0; i < keys.size(); ++i) {
     if (keys[i] == key) return items[i];
   }
   return none;
+}
+
+Json Json::operator[](const std::string &key) && {
+  return std::as_const(*this)[key];
 }
 
 std::optional<Json> read_json(const std::string &text) {

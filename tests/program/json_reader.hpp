@@ -14,8 +14,9 @@ struct Json {
   std::vector<Json> items;        // of an array, or the values of an object
   std::vector<std::string> keys;  // of an object, one for each item
 
-  // The value under that key; null if there is none.
-  const Json &operator[](const std::string &key) const;
+  // The value under that key; null if there is none. A copy, if nothing else keeps what was read.
+  const Json &operator[](const std::string &key) const &;
+  Json operator[](const std::string &key) &&;
 };
 
 // One JSON value, followed by at most white space. Nothing if the text is anything else, if a key comes twice in one
