@@ -85,7 +85,7 @@ case $variant in
     ;;
   single | clang | lld | musl) bash "$here/archive_symbols.sh" "$libraries/libhardsphere.a" "$source" ;;
 esac
-# What is not known is no number, which arithmetic without NaN would print as one.
+# Arithmetic without NaN would print a number that is not known.
 if [ "$variant" = clang ]; then
   echo 0 0 0 1 >"$work/one.xyzr"
   "$prefix/bin/hardsphere" model --json "$work/one.xyzr" | grep -q '"rho": null'
