@@ -215,6 +215,34 @@ static void probes_of_next_to_no_width(void) {
   }
 }
 
+/* Gates of a cube of balls of 13860 steps, 19601 steps apart, are 1.8e-5 steps wide: the length is subnormal, and some
+ * 2^17 levels have it. A probe of this width, to the last bit, does not pass; the next narrower one does. In larger
+ * cubes the gate has another place among these levels. */
+static void gates_of_next_to_no_width(void) {
+  const hsp_model_options finest = {(uint32_t)sizeof finest, 0, 0, 5.6e-309, 0};
+  hsp_pore_gate gate;
+  double xyz[24], radii[8];
+  uint32_t times, k;
+  for (times = 1; times <= 16; ++times) {
+    const double side = times * 19601 * finest.step;
+    for (k = 0; k < 8; ++k) {
+      xyz[3 * k] = side * (k & 1);
+      xyz[3 * k + 1] = side * (k >> 1 & 1);
+      xyz[3 * k + 2] = side * (k >> 2 & 1);
+      radii[k] = times * 13860 * finest.step;
+    }
+    CHECK_EQUAL(hsp_model_set(model, 8, xyz, radii, &finest, NULL), HSP_OK);
+    compute(0);
+    CHECK(counts.maxima == 1 && counts.gates == 6);
+    CHECK_EQUAL(hsp_pores_get_gates(pores, 0, 1, &gate), HSP_OK);
+    CHECK(gate.radius > 1e-314 && gate.radius < 2e-312);
+    CHECK_EQUAL(hsp_pores_class_at(pores, 0, gate.radius, &number), HSP_OK);
+    CHECK_EQUAL(number, 0);
+    CHECK_EQUAL(hsp_pores_class_at(pores, 0, nextafter(gate.radius, 0), &number), HSP_OK);
+    CHECK_EQUAL(number, HSP_PORE_OUTSIDE);
+  }
+}
+
 /* From the middle and from beside it: once the gates that are avoided close the cage nothing gets out. */
 static void tunnels_avoid_gates(void) {
   uint32_t avoided[GATES], count = 0, k;
@@ -291,6 +319,7 @@ int main(void) {
   pockets_come_and_go();
   classes();
   probes_of_next_to_no_width();
+  gates_of_next_to_no_width();
   tunnels_avoid_gates();
   few_balls();
   return check_report();
