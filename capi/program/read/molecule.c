@@ -133,6 +133,12 @@ bool label_fits(struct field text, size_t room, const char *what, uint64_t line,
                           excerpt(shown, text.text, text.length), (int)room - 1, room == 2 ? "" : "s");
 }
 
+bool label_take(char *out, size_t room, struct field text, const char *what, uint64_t line, struct failure *failure) {
+  if (!label_fits(text, room, what, line, failure)) return false;
+  label_copy(out, room, text);
+  return true;
+}
+
 bool chain_is_nameless(const char *chain) {
   return chain[0] == '\0' || ((chain[0] == '.' || chain[0] == '-') && chain[1] >= '1' && chain[1] <= '9');
 }

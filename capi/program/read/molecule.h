@@ -181,6 +181,9 @@ bool chain_name_copy(struct residue_label *residue, uint64_t copy, struct failur
  * location of an atom of the other, and so with residues. `what` is what the reason calls it: "the chain's name". */
 bool label_fits(struct field text, size_t room, const char *what, uint64_t line, struct failure *failure);
 
+/* The same, and copy it. */
+bool label_take(char *out, size_t room, struct field text, const char *what, uint64_t line, struct failure *failure);
+
 /* Whether a chain has no name of its own; what copies and TER records add is not counted. */
 bool chain_is_nameless(const char *chain);
 

@@ -94,16 +94,12 @@ static bool take_residue(const struct cif_row *row, struct molecule *molecule, s
   const struct field name = cif_row_either(row, CIF_AUTH_RESIDUE, CIF_LABEL_RESIDUE);
   const struct field number = cif_row_either(row, CIF_AUTH_NUMBER, CIF_LABEL_NUMBER);
   const struct field insertion = cif_row_get(row, CIF_INSERTION);
-  if (!label_fits(chain, sizeof residue->chain, "the chain's name", row->line, failure) ||
-      !label_fits(name, sizeof residue->name, "the residue's name", row->line, failure) ||
-      !label_fits(number, sizeof residue->number, "the residue's number", row->line, failure) ||
-      !label_fits(insertion, sizeof residue->insertion, "the insertion code", row->line, failure)) {
+  if (!label_take(residue->chain, sizeof residue->chain, chain, "the chain's name", row->line, failure) ||
+      !label_take(residue->name, sizeof residue->name, name, "the residue's name", row->line, failure) ||
+      !label_take(residue->number, sizeof residue->number, number, "the residue's number", row->line, failure) ||
+      !label_take(residue->insertion, sizeof residue->insertion, insertion, "the insertion code", row->line, failure)) {
     return false;
   }
-  label_copy(residue->name, sizeof residue->name, name);
-  label_copy(residue->chain, sizeof residue->chain, chain);
-  label_copy(residue->number, sizeof residue->number, number);
-  label_copy(residue->insertion, sizeof residue->insertion, insertion);
   if (asym.length > 0) residue->asym = name_table_number(&molecule->asyms, asym);
   if (asym.length > 0 && residue->asym == 0) return failure_of_memory(failure);
   return chain_name_copy(residue, molecule->copy, failure);
@@ -264,8 +260,9 @@ static bool take_component_atom(struct cif_reading *reading) {
   label.residue = &residue;
   label_copy(label.name, sizeof label.name, name);
   const struct field component = cif_row_get(row, CIF_COMPONENT_NAME);
-  if (!label_fits(component, sizeof residue.name, "the component's name", row->line, reading->failure)) return false;
-  label_copy(residue.name, sizeof residue.name, component);
+  if (!label_take(residue.name, sizeof residue.name, component, "the component's name", row->line, reading->failure)) {
+    return false;
+  }
   if (!cif_component_take(&reading->component, row, reading->failure) ||
       !take_element(reading, cif_row_get(row, CIF_COMPONENT_SYMBOL), name, &label) ||
       !molecule_add(reading->molecule, nowhere, 0.0, &label, row->line, reading->failure)) {

@@ -199,7 +199,7 @@ static bool goes_on(const struct line_reader *reader, size_t *length) {
 /* The reader's line, joined with those in which it goes on; the reader steps to the last of them. */
 static bool take_line(struct line_reader *reader, struct reading *reading, struct field *line,
                       struct failure *failure) {
-  static const char behind[16] = ""; /* that may be read behind a line */
+  static const char behind[LINE_READER_ROOM] = "";
   struct text_buffer *const joined = &reading->joined;
   const bool data = reading->section == COUNTS || reading->section == ATOMS || reading->section == BONDS;
   size_t length;

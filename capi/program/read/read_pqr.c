@@ -132,14 +132,12 @@ static bool read_atom(const struct line_reader *reader, struct elements_seen *se
   struct residue_label residue = RESIDUE_LABEL_NONE;
   struct atom_label label = ATOM_LABEL_NONE;
   label.residue = &residue;
-  if (!label_fits(record.chain, sizeof residue.chain, "the chain's name", line, failure) ||
-      !label_fits(record.residue, sizeof residue.name, "the residue's name", line, failure) ||
+  if (!label_take(residue.chain, sizeof residue.chain, record.chain, "the chain's name", line, failure) ||
+      !label_take(residue.name, sizeof residue.name, record.residue, "the residue's name", line, failure) ||
       !label_fits(record.number, sizeof residue.number, "the residue's number", line, failure)) {
     return false;
   }
   label_copy(label.name, sizeof label.name, record.name);
-  label_copy(residue.name, sizeof residue.name, record.residue);
-  label_copy(residue.chain, sizeof residue.chain, record.chain);
   label_number(record.number, &residue);
   if (residue.chain[0] == '\0') pdb_names_number(names, ends, label.name, &residue);
   if (!chain_name_copy(&residue, molecule->copy, failure)) return false;
