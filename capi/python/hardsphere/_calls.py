@@ -58,7 +58,14 @@ def _again(kind: type[ValueError], args: tuple[Any, ...], fields: dict[str, Any]
     return made
 
 
-class Error(ValueError):
+class _Portable(ValueError):
+    """An exception that comes whole from another process."""
+
+    def __reduce__(self) -> Any:
+        return _again, (type(self), self.args, self.__dict__)
+
+
+class Error(_Portable):
     """A call failed. `status` is one of hardsphere.E_*, `ball` the index of the ball to blame, or None. `conflict` says
     which sticks or bricks do not fit together, or which brick is missing: a SticksConflict or a number, else None."""
 
@@ -68,9 +75,6 @@ class Error(ValueError):
         text = library.hsp_status_text(status).decode()
         named = self.ball is None and _to_blame(status, given or {})
         super().__init__(f"{named or text}{'' if self.ball is None else f' (ball {ball})'}{where and f' in {where}'}")
-
-    def __reduce__(self) -> Any:
-        return _again, (type(self), self.args, self.__dict__)
 
 
 def _to_blame(status: int, given: dict[str, Any]) -> str:
@@ -164,15 +168,12 @@ def _check(status: int, where: str, ball: int = _NONE, given: dict[str, Any] | N
 
 # ---- arrays ----------------------------------------------------------------------------------------------------------
 
-class Misshapen(ValueError):
+class Misshapen(_Portable):
     """An array of another shape than an argument has."""
 
     def __init__(self, argument: str, problem: str):
         self.argument, self.problem = argument, problem
         super().__init__(f"{argument}: {problem}")
-
-    def __reduce__(self) -> Any:
-        return _again, (type(self), self.args, self.__dict__)
 
 
 @contextmanager
