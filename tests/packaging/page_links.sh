@@ -32,9 +32,7 @@ if [ "$which" = sources ]; then
   while read -r count; do
     grep -qx "$count" <<<"$counts" || fail "inside.md: no client has $count lines"
   done < <(awk -F'|' 'NF > 6 { print $5 }' "$guide/inside.md" | grep -oE '[0-9]+')
-fi
-# How much longer examples in C are than their twins in C++, as the page on languages has it.
-if [ "$which" = sources ]; then
+  # How much longer examples in C are than their twins in C++, as the page on languages has it.
   twins=$(cd "$root/capi/examples" && find . -name '*.cpp' | sed 's/pp$//' | xargs cat | grep -c .)
   shorter=$(cd "$root/capi/examples" && find . -name '*.cpp' -exec cat {} + | grep -c .)
   grep -qF "$twins lines become $shorter" "$guide/languages.md" || fail "languages.md: $twins lines become $shorter"
