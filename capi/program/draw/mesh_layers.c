@@ -197,26 +197,43 @@ static void spread_points(const struct seen_triangle *triangle, uint32_t count, 
   }
 }
 
+static int64_t floor_of(int64_t dividend, int64_t divisor) { /* divisor > 0 */
+  return dividend / divisor - (dividend % divisor < 0);
+}
+
+/* The columns of a row that lie in a triangle, border included; those given are the ones in its box. */
+static void columns_inside(const struct seen_triangle *triangle, const struct points *points, int64_t y, int64_t *first,
+                           int64_t *last) {
+  const int64_t turn = seen_triangle_area(triangle) < 0.0 ? -1 : 1;
+  for (int k = 0; k < 3; ++k) {
+    const int32_t *from = triangle->at[k], *to = triangle->at[(k + 1) % 3];
+    const int64_t dx = turn * ((int64_t)to[0] - from[0]), dy = turn * ((int64_t)to[1] - from[1]);
+    /* A column lies on the inner side if side >= its number * step. */
+    const int64_t side = dx * (y - from[1]) - dy * ((int64_t)points->low[0] - from[0]), step = dy * points->apart;
+    if (step > 0) {
+      const int64_t most = floor_of(side, step);
+      if (most < *last) *last = most;
+    } else if (step < 0) {
+      const int64_t least = -floor_of(side, -step);
+      if (least > *first) *first = least;
+    } else if (side < 0) {
+      *last = *first - 1;
+    }
+  }
+}
+
 /* How many points of a triangle, border included, are not covered; covers them. */
 static uint32_t cover(const struct seen_triangle *triangle, struct points *points) {
-  const int64_t turn = seen_triangle_area(triangle) < 0.0 ? -1 : 1;
   int32_t low[2], high[2];
   uint32_t seen = 0;
   seen_triangle_box(triangle, low, high);
   const int32_t apart = points->apart;
-  const int32_t first[2] = {(low[0] - points->low[0] + apart - 1) / apart,
-                            (low[1] - points->low[1] + apart - 1) / apart};
-  for (int32_t row = first[1]; points->low[1] + row * apart <= high[1]; ++row) {
-    for (int32_t column = first[0]; points->low[0] + column * apart <= high[0]; ++column) {
-      const int64_t x = points->low[0] + column * apart, y = points->low[1] + row * apart;
+  for (int32_t row = (low[1] - points->low[1] + apart - 1) / apart; points->low[1] + row * apart <= high[1]; ++row) {
+    int64_t first = (low[0] - points->low[0] + apart - 1) / apart, last = (high[0] - points->low[0]) / apart;
+    columns_inside(triangle, points, points->low[1] + row * apart, &first, &last);
+    for (int64_t column = first; column <= last; ++column) {
       uint8_t *const covered = &points->covered[(size_t)row * points->across[0] + (size_t)column];
-      bool inside = *covered == 0;
-      for (int k = 0; k < 3 && inside; ++k) {
-        const int32_t *from = triangle->at[k], *to = triangle->at[(k + 1) % 3];
-        inside = turn * ((to[0] - (int64_t)from[0]) * (y - from[1]) - (to[1] - (int64_t)from[1]) * (x - from[0])) >= 0;
-      }
-      if (!inside) continue;
-      ++seen;
+      seen += *covered == 0;
       if (triangle->whole) *covered = 1;
     }
   }
