@@ -96,6 +96,52 @@ static void every_split(const ball_set *set) {
   computed_release(&all);
 }
 
+/* hsp_boundary_compute_with, properties 1 and 2: areas and gradient of some balls are those of the whole. */
+static void every_split_of_some(const ball_set *set) {
+  static double area[BALL_SET_MOST], whole_area[BALL_SET_MOST];
+  static gradients some, whole;
+  computed all;
+  int which, way;
+  uint32_t i;
+  if (make_computed(set, &all)) {
+    const computed *c = &all;
+    uint8_t selected[BALL_SET_MOST];
+    guarded_memory memory;
+    hsp_boundary *const boundary = make(&c->needed, 9, &memory);
+    hsp_gradient_request tension = {.struct_size = sizeof tension, .tangency = HSP_TANGENT_OVERLAP, .tension = 0.7};
+    hsp_gradient_outputs outputs = {.struct_size = sizeof outputs, .capacity = set->n};
+    hsp_measure_outputs measured = {.struct_size = sizeof measured, .capacity = set->n};
+    measured.area = whole_area;
+    CHECK_EQUAL(hsp_boundary_get_measures(c->boundary, NULL, &measured), HSP_OK);
+    outputs.d_radius = whole.radius;
+    CHECK_EQUAL(hsp_boundary_get_gradient(c->boundary, &tension, &outputs), HSP_OK);
+    for (i = 0; i < set->n; ++i) {
+      selected[i] = i % 3 != 1;
+      if (!selected[i]) whole_area[i] = whole.radius[i] = 0;
+    }
+    measured.area = area;
+    outputs.d_radius = some.radius;
+    for (which = 0; which < NUMBERS_TRIED; ++which) {
+      for (way = 0; way < LOOP_RIGHT_WAYS; ++way) {
+        loop own = loop_of(way);
+        const hsp_executor executor = executor_of(&own, workers_tried[which]);
+        hsp_boundary_request request = request_for(&executor);
+        check_scene("some balls of %s by %u workers, way %d", set->name, (unsigned)executor.workers, way);
+        request.selected = selected;
+        CHECK_EQUAL(hsp_boundary_compute_with(boundary, c->model, &request, NULL), HSP_OK);
+        CHECK(executor.workers > 1 ? own.runs > 1 : own.runs == 0);
+        CHECK_EQUAL(hsp_boundary_get_measures(boundary, NULL, &measured), HSP_OK);
+        CHECK_BYTES(area, whole_area, set->n * sizeof *area);
+        CHECK_EQUAL(hsp_boundary_get_gradient(boundary, &tension, &outputs), HSP_OK);
+        CHECK_BYTES(some.radius, whole.radius, set->n * sizeof *area);
+      }
+    }
+    CHECK(guarded_clean(&memory));
+    guarded_give_back(&memory);
+  }
+  computed_release(&all);
+}
+
 typedef struct measures {
   hsp_totals totals;
   double area[BALL_SET_MOST], volume[BALL_SET_MOST];
@@ -369,12 +415,14 @@ int main(void) {
   for (which = 0; which < topology_set_count(); ++which) {
     topology_set_make(which, &set);
     every_split(&set);
+    every_split_of_some(&set);
     every_measure(&set);
     small_limits(&set);
   }
   ball_set_start(&set, "chain", 1e-8);
   ball_set_add_chain(&set, BALL_SET_MOST, 11);
   every_split(&set);
+  every_split_of_some(&set);
   every_measure(&set);
   small_limits(&set);
   if (make_computed(&set, &all)) {

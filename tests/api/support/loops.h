@@ -8,7 +8,12 @@
 extern "C" {
 #endif
 
+#ifdef HSP_LOOP_THREADS
+/* All tasks start together, in no order. */
+enum { LOOP_IN_ORDER, LOOP_REVERSED = LOOP_IN_ORDER, LOOP_SHUFFLED = LOOP_IN_ORDER, LOOP_RIGHT_WAYS };
+#else
 enum { LOOP_IN_ORDER, LOOP_REVERSED, LOOP_SHUFFLED, LOOP_RIGHT_WAYS };
+#endif
 enum { LOOP_FORGETS = LOOP_RIGHT_WAYS, LOOP_DOES_TWICE, LOOP_ADDS_ONE, LOOP_DOES_NOTHING, LOOP_WAYS };
 
 typedef struct loop {
