@@ -62,6 +62,8 @@ void SideFacets::add(const PowerCell &cell, uint32_t side, uint32_t first, uint3
     v = vertex.link[opposite] / 4;
     back = vertex.link[opposite] % 4;
   } while (v != first && count < most);
+  const uint32_t written = count < room ? count : room;
+  for (uint32_t k = written; k < written + read_behind; ++k) us[k] = ws[k] = 0.0;
   corners_.set_count(first_corner + count);
   // The box is widened: its floats are off by less than 2^-23 of the side.
   const double spread = (most_error < 1e29 ? most_error : 1e29) + 0x1p-22 * cell.frame().side();

@@ -6,8 +6,6 @@
 // known exactly.
 #pragma once
 
-#include <initializer_list>
-
 #include "cells/power_cell.hpp"
 #include "core/fixed_vector.hpp"
 
@@ -50,11 +48,7 @@ class SideFacets {
     facets_ = FixedVector<SideFacet>(workspace.take<SideFacet>(facets));
     corners_ = FixedVector<FacetCorner>(workspace.take<FacetCorner>(corners));
     lines_ = workspace.take<FlatLine>(corners);
-    const uint64_t numbers = static_cast<uint64_t>(corners) + read_behind;
-    for (Span<double> *positions : {&u_, &w_}) {
-      *positions = workspace.take<double>(numbers);
-      for (double &number : *positions) number = 0.0;
-    }
+    workspace.take_each(static_cast<uint64_t>(corners) + read_behind, u_, w_);
   }
   void clear() {
     facets_.clear();
