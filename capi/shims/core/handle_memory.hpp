@@ -16,7 +16,7 @@ namespace hsp::capi {
 template <class Handle, class Limits>
 [[gnu::noinline, gnu::cold]] Handle *carve(Workspace &workspace, const Limits &limits,
                                            typename Handle::Builder &builder) {
-  const Span<Handle> handle = workspace.take<Handle>(1);
+  const Span<Handle> handle = workspace.make<Handle>(1);
   builder.carve(workspace, limits);
   return handle.data();
 }

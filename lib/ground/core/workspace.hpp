@@ -13,6 +13,7 @@
 #pragma once
 
 #include <new>
+#include <type_traits>
 
 #include "core/poison.hpp"
 #include "core/span.hpp"
@@ -36,9 +37,21 @@ class Workspace {
   // for a size: in a virtual machine that traps to the host and takes tens of microseconds.
   Target target() const { return has_further_targets ? target_ : Target::baseline; }
 
-  // An array of `count` default-initialised T, or an empty span while measuring.
+  // An array of `count` T, or an empty span while measuring. It has no values, whatever initialisers T has: memory is
+  // touched when something is kept there, so that generous limits cost no time.
   template <class T>
   Span<T> take(uint64_t count) {
+    static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= alignment);
+    void *memory = reserve(count, sizeof(T));
+    if (memory == nullptr) return {};
+    // An array of bytes makes the objects in it.
+    ::new (memory) unsigned char[static_cast<size_t>(count) * sizeof(T)];
+    return {std::launder(static_cast<T *>(memory)), static_cast<uint32_t>(count)};
+  }
+
+  // The same with objects that begin as default-initialised.
+  template <class T>
+  Span<T> make(uint64_t count) {
     void *memory = reserve(count, sizeof(T));
     if (memory == nullptr) return {};
     T *first = static_cast<T *>(memory);

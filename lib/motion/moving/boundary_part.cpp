@@ -6,7 +6,7 @@ void BoundaryPart::carve(Workspace &workspace, const BoundaryLimits &limits) {
   limit(limits);
   arrays().carve(workspace, limits);
   scratch_ = workspace.take<uint32_t>(limits.most_loops() + limits.balls);
-  worker_ = workspace.take<BoundaryWorker>(1);
+  worker_ = workspace.make<BoundaryWorker>(1);
   BoundaryWorker measured;  // while there is no memory
   (worker_.empty() ? measured : worker_[0]).carve(workspace, limits, arrays(), 0, scratch_);
 }

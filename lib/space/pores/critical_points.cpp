@@ -54,7 +54,7 @@ void CriticalPoints::carve(Workspace &workspace, const PoreLimits &limits) {
   target_ = workspace.target();
   at_point_ = workspace.take<uint32_t>(limits.near);
   cluster_ = workspace.take<uint32_t>(limits.near);
-  lines_ = workspace.take<TangentLines>(1);
+  lines_ = workspace.make<TangentLines>(1);
   directions_ = workspace.take<CubeDirections>(1);
   hull_ = workspace.take<Vec3>(limits.near);
   room_ = workspace.take<Vec3>(limits.near);

@@ -26,7 +26,7 @@ void WayUp::carve(Workspace &workspace, uint32_t near, uint32_t balls) {
   known_ = workspace.take<KnownEnd>(known_ends);
   passed_ = workspace.take<Passed>(most_passed);
   tied_ = FixedVector<uint32_t>(workspace.take<uint32_t>(near));
-  lines_ = workspace.take<TangentLines>(1);
+  lines_ = workspace.make<TangentLines>(1);
   directions_ = workspace.take<Vec3>(near);
 }
 

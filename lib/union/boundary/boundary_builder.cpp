@@ -42,7 +42,7 @@ void BoundaryBuilder::carve(Workspace &workspace, const BoundaryLimits &limits) 
   scratch_ = workspace.take<uint32_t>(limits.most_loops() + limits.balls);
   selected_ = workspace.take<uint32_t>(limits.balls);
   const uint32_t count = larger_count(limits.workers, 1);
-  workers_ = workspace.take<BoundaryWorker>(count);
+  workers_ = workspace.make<BoundaryWorker>(count);
   BoundaryWorker measured;  // for measuring, while there is no memory
   for (uint32_t w = 0; w < count; ++w) {
     BoundaryWorker &worker = workers_.empty() ? measured : workers_[w];

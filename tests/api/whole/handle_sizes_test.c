@@ -120,6 +120,28 @@ static void shells_of_topologies(void) {
   CHECK(size_of(&topology_handle, &bounds[1], &limits) == most);
 }
 
+/* ---- memory that is not used yet ---- */
+
+/* Large limits cost no time: what nothing is kept in is not written. */
+static void memory_is_not_touched(int kind) {
+  const handle_kind *k = kinds_of_life[kind].kind;
+  limit_numbers limits = {{k->struct_size}};
+  size_t bytes = 0, touched = 0, i;
+  const uint32_t many = 20000;
+  guarded_memory memory;
+  void *handle = NULL;
+  int which;
+  check_scene("memory of %s", kinds_of_life[kind].name);
+  for (which = 1; which <= k->limits; ++which) limits.number[which] = k->names[which] != NULL ? many : 0;
+  if (k->limits_init != NULL) CHECK_EQUAL(k->limits_init(&limits, k->struct_size, many), HSP_OK);
+  CHECK_EQUAL(k->bytes(&limits, &bytes), HSP_OK);
+  memory = guarded_take(bytes, 0, GUARDED_PATTERN);
+  CHECK_EQUAL(k->init(memory.block, bytes, &limits, &handle), HSP_OK);
+  for (i = 0; i < bytes; ++i) touched += memory.block[i] != GUARDED_PATTERN;
+  CHECK(touched < bytes / 8);
+  guarded_give_back(&memory);
+}
+
 /* ---- alignment ---- */
 
 static const computations *known_set;
@@ -213,6 +235,7 @@ int main(void) {
   int kind;
   model_sizes();
   for (kind = 0; kind < BOUNDED; ++kind) sizes(kind);
+  for (kind = 0; kind < KINDS; ++kind) memory_is_not_touched(kind);
   shells_of_topologies();
   topology_set_two_in_a_void(&set);
   every_alignment(&set);

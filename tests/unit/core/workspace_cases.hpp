@@ -57,6 +57,22 @@ inline uint32_t short_blocks_give_nothing() {
   return first_false(conditions);
 }
 
+// Arrays hold what lay in the block; objects that are made begin with their values.
+inline uint32_t values_are_of_what_is_made() {
+  struct Pair {
+    uint32_t first = 5, second = 7;
+  };
+  alignas(64) unsigned char memory[256];
+  for (unsigned char &byte : memory) byte = 0xA5;
+  hsp::Workspace workspace(memory, sizeof memory);
+  const hsp::Span<Pair> taken = workspace.take<Pair>(3);
+  const hsp::Span<Pair> made = workspace.make<Pair>(3);
+  const bool conditions[] = {taken.size() == 3 && memory[0] == 0xA5 && memory[23] == 0xA5, made[0].first == 5,
+                             made[2].second == 7, workspace.make<Pair>(30).empty()};
+  hsp::unpoison(memory, sizeof memory);
+  return first_false(conditions);
+}
+
 inline uint32_t sizes_that_do_not_fit() {
   hsp::Workspace measure;
   measure.take<double>(UINT64_MAX / 4);
@@ -72,6 +88,7 @@ inline uint32_t sizes_that_do_not_fit() {
 
 inline constexpr Check core_workspace[] = {{"measured_memory_suffices", measured_memory_suffices},
                                            {"short_blocks_give_nothing", short_blocks_give_nothing},
+                                           {"values_are_of_what_is_made", values_are_of_what_is_made},
                                            {"sizes_that_do_not_fit", sizes_that_do_not_fit}};
 
 }  // namespace cases
