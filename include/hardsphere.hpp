@@ -557,7 +557,20 @@ class moving : public owner {
          const options &how = {}) {
     set(xyz, radius, terms, how);
   }
+  moving(moving &&) = default;
+  moving &operator=(moving &&other) noexcept {
+    moving taken(std::move(other));  // also from itself
+    owner::swap(taken);
+    std::swap(terms_, taken.terms_), std::swap(sigma_, taken.sigma_), std::swap(others_, taken.others_);
+    return *this;
+  }
   uint32_t size() const noexcept { return count(hsp_moving_measure, work_.moving, nullptr, nullptr, nullptr); }
+
+  template <class... Arguments, class... Given>
+  void run(int32_t (*function)(hsp_workspace *, Arguments...), Given &&...given) {
+    if (same(function, hsp_workspace_moving)) others_ = true;
+    owner::run(function, std::forward<Given>(given)...);
+  }
 
   moving &set(std::span<const double> xyz, std::span<const double> radius, const energy_terms &terms,
               const options &how = {}) {
@@ -565,7 +578,7 @@ class moving : public owner {
     const given_balls balls(xyz, radius);
     const bool right = terms.sigma.empty() || terms.sigma.size() == radius.size();
     uint32_t bad = HSP_NONE;
-    terms_ = terms;
+    terms_ = terms, others_ = false;
     sigma_.assign(terms.sigma.begin(), terms.sigma.end());
     terms_.sigma = {};
     const int32_t set =
@@ -585,8 +598,8 @@ class moving : public owner {
       int32_t status = hsp_moving_move(work_.moving, static_cast<uint32_t>(balls.size()), balls.data(), numbers(xyz),
                                        numbers(radius), &limits, &bad);
       if (status != HSP_E_CAPACITY) return check(status, bad), *this;
-      // Into a larger handle, if the weights are those of the balls: run() may have taken others.
-      if (!sigma_.empty() && sigma_.size() != size()) throw error(HSP_E_STATE);
+      // Into a larger handle, with the energy that set() was given: one that run() has taken is not known.
+      if (others_) throw error(HSP_E_STATE);
       check(hsp_moving_get_model(work_.moving, work_.model));
       status = hsp_workspace_grow_moving(&work_, &limits);
       check(status == HSP_OK ? take(nullptr) : status);
@@ -625,6 +638,7 @@ class moving : public owner {
 
   energy_terms terms_{};
   std::vector<double> sigma_;
+  bool others_ = false;  // whether run() has taken balls with an energy of its own
 };
 
 #endif  // HSP_HAS_MOTION

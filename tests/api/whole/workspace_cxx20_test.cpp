@@ -377,6 +377,16 @@ void test_moving() {
   others.run(hsp_workspace_moving, nullptr, 1.0, 0.0, HSP_TANGENT_OVERLAP, nullptr);
   EXPECT(caught([&] { others.move(all, together); }).status() == HSP_E_STATE);
   EXPECT(near(others.energy().value, 300 * 4 * pi, 1e-9));
+  // Nor with another energy than that which run() was given. One that is moved to itself has its weights still.
+  const std::vector<double> twos(300, 2);
+  hardsphere::moving sevenfold(row, radius, {.tension = 1, .sigma = twos});
+  sevenfold.run(hsp_workspace_moving, nullptr, 7.0, 0.0, HSP_TANGENT_OVERLAP, nullptr);
+  EXPECT(caught([&] { sevenfold.move(all, together); }).status() == HSP_E_STATE);
+  EXPECT(near(sevenfold.energy().value, 7 * 300 * 4 * pi, 1e-8));
+  hardsphere::moving &itself = sevenfold.set(row, radius, {.tension = 1, .sigma = twos});
+  sevenfold = std::move(itself);
+  sevenfold.move(all, together);
+  EXPECT(near(sevenfold.energy().value, 2 * sevenfold.measure().total.area, 1e-9));
 }
 
 }  // namespace
