@@ -11,14 +11,23 @@ elseif(CMAKE_SYSTEM_NAME STREQUAL "Generic")
 endif()
 set(HSP_POSITION_INDEPENDENT ${HSP_POSITION_INDEPENDENT} CACHE INTERNAL "Whether the library is position-independent")
 
-# A project that carries this one may have no build type. Its library is optimized all the same, unless its flags say how.
+# A project that carries this one may have no build type, or one like Debug that optimizes nothing. Its library is optimized
+# all the same, unless its flags say how.
 set(HSP_OPTIMIZATION "")
-if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES AND NOT CMAKE_CXX_FLAGS MATCHES "(^| )-O")
-  set(HSP_OPTIMIZATION -O3)
-endif()
-set(HSP_OPTIMIZATION ${HSP_OPTIMIZATION} CACHE INTERNAL "Optimization of the library where there is no build type")
-# Where all would take -O3, some rooms and shims take less.
 string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
+if(NOT PROJECT_IS_TOP_LEVEL AND NOT CMAKE_CXX_FLAGS MATCHES "(^| )-O")
+  foreach(type ${CMAKE_CONFIGURATION_TYPES})
+    string(TOUPPER ${type} upper)
+    if(NOT "${CMAKE_CXX_FLAGS_${upper}}" MATCHES "(^| )-O")
+      list(APPEND HSP_OPTIMIZATION $<$<CONFIG:${type}>:-O3>)
+    endif()
+  endforeach()
+  if(NOT CMAKE_CONFIGURATION_TYPES AND NOT "${CMAKE_CXX_FLAGS_${build_type}}" MATCHES "(^| )-O")
+    set(HSP_OPTIMIZATION -O3)
+  endif()
+endif()
+set(HSP_OPTIMIZATION ${HSP_OPTIMIZATION} CACHE INTERNAL "Optimization of the library where its project has none")
+# Where all would take -O3, some rooms and shims take less.
 set(HSP_OPTIMIZED OFF)
 if("${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}} ${HSP_OPTIMIZATION}" MATCHES "(^| )-O3( |$)")
   set(HSP_OPTIMIZED ON)

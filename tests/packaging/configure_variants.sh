@@ -53,6 +53,26 @@ if grep -q 'hardsphere_\(readers\|program\|tool\)\.dir/Unity' "$work/unity/compi
   fail "CMAKE_UNITY_BUILD makes the program of large units"
 fi
 
+# The .pc file finds headers and libraries, however their folders are named.
+packaged() { # name, prefix, folder of libraries, folder of headers, options
+  local name=$1 prefix=$2 libraries=$3 headers=$4
+  shift 4
+  configure "$name" "$source" -DCMAKE_INSTALL_PREFIX="$prefix" -DHSP_COMPONENTS= -DHSP_TESTS=OFF -DHSP_BENCH=OFF \
+    -DHSP_FORTRAN=OFF "$@"
+  mkdir -p "$libraries/pkgconfig" "$headers"
+  mv "$work/$name/hardsphere.pc" "$libraries/pkgconfig"
+  for pair in "libdir:$libraries" "includedir:$headers" "module_source:$headers/hardsphere/hardsphere.f90"; do
+    found=$(PKG_CONFIG_PATH=$libraries/pkgconfig pkg-config --variable="${pair%%:*}" hardsphere)
+    [ "$(realpath -m "$found")" = "$(realpath -m "${pair#*:}")" ] || fail "$name: ${pair%%:*} is $found, not ${pair#*:}"
+  done
+}
+packaged folders_below "$work/p" "$work/p/lib64" "$work/p/include" -DCMAKE_INSTALL_LIBDIR="$work/p/lib64"
+packaged folders_apart "$work/q" "$work/lib" "$work/dev/include" -DCMAKE_INSTALL_LIBDIR="$work/lib" \
+  -DCMAKE_INSTALL_INCLUDEDIR="$work/dev/include"
+packaged headers_apart "$work/r" "$work/moved/lib/x" "$work/dev/include" -DCMAKE_INSTALL_LIBDIR=lib/x \
+  -DCMAKE_INSTALL_INCLUDEDIR="$work/dev/include"
+packaged libraries_apart "$work/s" "$work/lib" "$work/s/include" -DCMAKE_INSTALL_LIBDIR="$work/lib"
+
 # A project without a build type that carries the sources and installs something of its own.
 mkdir "$work/project"
 cat >"$work/project/CMakeLists.txt" <<PROJECT
@@ -67,6 +87,14 @@ if has_flag carried -O0; then fail "carried by a project it is compiled with -O0
 cmake --install "$work/carried" --prefix "$work/prefix" >"$work/install.log"
 installed=$(find "$work/prefix" -type f | wc -l)
 [ "$installed" -eq 1 ] || fail "carried by a project it installs $((installed - 1)) files of its own"
+configure debug "$work/project" -DCMAKE_BUILD_TYPE=Debug
+has_flag debug -O3 || fail "carried by a project whose build type is Debug it is not optimized"
+if command -v ninja >/dev/null; then
+  configure types "$work/project" -G 'Ninja Multi-Config' -DCMAKE_CONFIGURATION_TYPES='Debug;MinSizeRel'
+  if grep -F "Unity/exact.cpp" "$work/types/compile_commands.json" | grep '"command"' | grep -qv -- ' -O'; then
+    fail "carried by a project with several build types it is not optimized in each"
+  fi
+fi
 configure flags "$work/project" -DCMAKE_CXX_FLAGS=-O1
 if has_flag flags -O3; then fail "the project's own -O1 is overruled"; fi
 rm -rf "$work"
