@@ -131,7 +131,11 @@ class threads {
     const auto work = [&] {
       for (uint32_t k = next++; k < tasks; k = next++) task(data, k);
     };
-    std::vector<std::jthread> others;  // joined at the end
+    struct joined : std::vector<std::thread> {  // libc++ has had std::jthread since version 20 only
+      ~joined() {
+        for (std::thread &each : *this) each.join();
+      }
+    } others;
     try {
       const uintptr_t most = reinterpret_cast<uintptr_t>(number);
       while (others.size() + 1 < most && others.size() + 1 < tasks) others.emplace_back(work);
