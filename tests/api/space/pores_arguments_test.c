@@ -2,6 +2,7 @@
  * the last tunnel come and go. */
 #include <hardsphere.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "check.h"
@@ -87,6 +88,34 @@ static void defaults(void) {
   CHECK((double)bytes < 1.9e9);
   CHECK_EQUAL(hsp_pores_options_init(&options, (uint32_t)sizeof options), HSP_OK);
   CHECK(options.struct_size == sizeof options && options.reserved == 0 && options.floor == 0);
+}
+
+/* Limits that come back suffice, also where the search takes all the room that it is given: beside a curve of balls. */
+static void limits_that_come_back(void) {
+  enum { CURVE = 200 };
+  static unsigned char curve_memory[HSP_MODEL_BYTES(CURVE)];
+  double xyz[3 * CURVE] = {0}, radii[CURVE];
+  hsp_pores_limits limits;
+  hsp_model *curve;
+  hsp_pores *along;
+  uint32_t k;
+  CHECK_EQUAL(hsp_model_init(curve_memory, sizeof curve_memory, CURVE, &curve), HSP_OK);
+  for (k = 0; k < CURVE; ++k) {
+    xyz[3 * k] = k;
+    xyz[3 * k + 1] = 0.01 * k * k;
+    radii[k] = 1;
+  }
+  CHECK_EQUAL(hsp_model_set(curve, CURVE, xyz, radii, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_pores_limits_init(&limits, (uint32_t)sizeof limits, CURVE), HSP_OK);
+  for (k = 0; k < 2; ++k) {
+    void *memory;
+    size_t bytes;
+    CHECK_EQUAL(hsp_pores_bytes(&limits, &bytes), HSP_OK);
+    memory = malloc(bytes);
+    CHECK_EQUAL(hsp_pores_init(memory, bytes, &limits, &along), HSP_OK);
+    CHECK_EQUAL(hsp_pores_compute(along, curve, NULL, &limits), HSP_OK);
+    free(memory);
+  }
 }
 
 static void bad_options(void) {
@@ -313,6 +342,7 @@ int main(void) {
   CHECK_EQUAL(hsp_pores_find_tunnel(pores, middle, NULL, NULL, 0, &tunnel, NULL), HSP_E_STATE);
   sizes();
   defaults();
+  limits_that_come_back();
   bad_options();
   points_of_pores_before();
   floors();
