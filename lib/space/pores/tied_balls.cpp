@@ -64,16 +64,20 @@ struct HullSide {
   Vec3 outward;
   double inside;  // how far 0 is inside of it; below 0: outside
   bool any;
+  bool leaves_out;  // whether triangles are left out whose planes doubles do not know: sides of the hull may be missing
 };
 HullSide nearest_side(Span<const Vec3> a, const uint32_t *chosen, uint32_t size) {
-  HullSide nearest{{0.0, 0.0, 0.0}, 1.0, false};
+  HullSide nearest{{0.0, 0.0, 0.0}, 1.0, false, false};
   for (uint32_t i = 0; i < size; ++i) {
     for (uint32_t j = i + 1; j < size; ++j) {
       for (uint32_t k = j + 1; k < size; ++k) {
         const Vec3 &p = a[chosen[i]];
         const Vec3 n = cross(a[chosen[j]] - p, a[chosen[k]] - p);
         const double length = std::sqrt(dot(n, n));
-        if (length < 1e-6) continue;
+        if (length < 1e-6) {
+          nearest.leaves_out = true;
+          continue;
+        }
         // A plane is a side if all vectors are on one side of it, or nearly: a plane too many only makes the bound
         // less.
         Signs heights;
@@ -91,6 +95,21 @@ HullSide nearest_side(Span<const Vec3> a, const uint32_t *chosen, uint32_t size)
     }
   }
   return nearest;
+}
+
+// Leaves out vectors that are near to one before; returns how many stay. Then no triangle has a plane that doubles do
+// not know: a triangle of unit vectors whose sides are s and longer has twice an area of s^3 / 2 at least.
+uint32_t keep_apart(Span<const Vec3> a, uint32_t *chosen, uint32_t size) {
+  uint32_t left = 0;
+  for (uint32_t k = 0; k < size; ++k) {
+    bool apart = true;
+    for (uint32_t c = 0; c < left && apart; ++c) {
+      const Vec3 d = a[chosen[k]] - a[chosen[c]];
+      apart = dot(d, d) > 2e-4;
+    }
+    if (apart) chosen[left++] = chosen[k];
+  }
+  return left;
 }
 
 }  // namespace
@@ -120,10 +139,12 @@ double depth_of_hull(Span<const Vec3> a, Vec3 *outward) {
   }
   // Then the vectors that are farthest beyond the side nearest to 0 are added.
   for (;;) {
-    const HullSide side = nearest_side(a, chosen, size);
+    HullSide side = nearest_side(a, chosen, size);
+    const bool last = side.leaves_out;
+    if (last) side = nearest_side(a, chosen, keep_apart(a, chosen, size));
     if (outward != nullptr) *outward = side.outward;
     if (!side.any) return -1.0;
-    if (side.inside > 0.1 || size == count || size == most) return side.inside - 1e-8;
+    if (last || side.inside > 0.1 || size == count || size == most) return side.inside - 1e-8;
     uint32_t which = chosen[0];
     for (uint32_t k = 0; k < count; ++k) which = dot(side.outward, a[k] - a[which]) > 0.0 ? k : which;
     for (uint32_t k = 0; k < size; ++k) {

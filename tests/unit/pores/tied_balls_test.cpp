@@ -277,6 +277,37 @@ TEST(TiedBalls, DepthInACircle) {
   EXPECT_GT(inside, 50);
 }
 
+// Some unit vectors beside a direction and some elsewhere, all on one side of 0, or six more around it. Doubles do not
+// know the planes of those that are close together.
+TEST(TiedBalls, DepthOfVectorsThatAreCloseTogether) {
+  oracle::RandomSource random(4);
+  const auto any = [&] { return static_cast<double>(random.in(-1000000, 1000000)) / 1e6; };
+  int inside = 0;
+  for (int turn = 0; turn < 3000; ++turn) {
+    const auto count = static_cast<uint32_t>(random.in(4, 12));
+    const auto close = static_cast<uint32_t>(random.in(2, 4));
+    const double apart = std::pow(10.0, -static_cast<double>(random.in(1, 14)) / 2.0 - 2.0);
+    const hsp::Vec3 corners[6] = {{1.0, 0.0, 0.0},  {-1.0, 0.0, 0.0}, {0.0, 1.0, 0.0},
+                                  {0.0, -1.0, 0.0}, {0.0, 0.0, 1.0},  {0.0, 0.0, -1.0}};
+    const bool around = turn % 4 == 3;
+    std::vector<hsp::Vec3> a;
+    const hsp::Vec3 middle{any(), any(), 1.0};
+    for (uint32_t k = 0; k < count; ++k) {
+      hsp::Vec3 v{any(), any(), 0.01};
+      if (k < close) v = middle + apart * hsp::Vec3{any(), any(), any()};
+      a.push_back((1.0 / std::sqrt(dot(v, v))) * v);
+    }
+    for (uint32_t k = 0; around && k < 6; ++k) a.insert(a.begin() + k, corners[k]);
+    const double depth = hsp::depth_of_hull({a.data(), static_cast<uint32_t>(a.size())});
+    if (!around) {
+      ASSERT_LE(depth, 0.0) << turn;
+    } else {
+      inside += depth > 0.5 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(inside, 500);
+}
+
 // Six balls around a point, no four of which have it strictly inside.
 TEST(TiedBalls, AnOctahedronIsAMaximum) {
   const PlainBallSet plain(

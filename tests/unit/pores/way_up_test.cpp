@@ -73,6 +73,35 @@ TEST(WayUp, EndsAreHigher) {
   }
 }
 
+// Ways past three balls so close together that one sees them in nearly one direction from where they tie with a fourth.
+TEST(WayUp, PastBallsThatAreCloseTogether) {
+  checked_pores::Seen seen;
+  const oracle::Balls sets[] = {{{9999999, 3, 1, 0},
+                                 {-5000002, -8660253, -2, 1},
+                                 {-1, -3, 10000002, 1},
+                                 {-1, 1, 9999997, 1},
+                                 {3, 1, 10000002, 1}},
+                                {{134, -829, -9648634715, 653},
+                                 {392, 922, -9648634722, 933},
+                                 {-291, 581, -9648633966, 863},
+                                 {2621744689, -148, -10000000279, 168},
+                                 {-3893122742, -10000000623, 127, 813}}};
+  for (const oracle::Balls &balls : sets) {
+    ASSERT_NO_FATAL_FAILURE(checked_pores::compare_with_all_sets(balls, seen));
+  }
+  oracle::RandomSource random(3);
+  for (int turn = 0; turn < oracle::sets(200); ++turn) {
+    const int64_t away = turn % 2 == 0 ? 10000000 : 1000000000, wide = turn % 3 == 0 ? 3 : 300;
+    oracle::Balls balls;
+    for (int k = 0; k < 7; ++k) {
+      const auto near = [&] { return random.in(-wide, wide); };
+      balls.push_back({near() + (k % 3 == 1 ? away : 0), near() + (k % 3 == 2 ? away : 0),
+                       near() + (k % 3 == 0 ? away / 2 : 0), random.in(0, wide / 2)});
+    }
+    ASSERT_NO_FATAL_FAILURE(checked_pores::compare_with_all_sets(balls, seen));
+  }
+}
+
 // From a ring of balls with others on its axis all ways lead through points where all tie, with the point in the plane
 // of the ring or beside it: at each some questions a ball are asked.
 TEST(WayUp, TiesTakeFewQuestions) {
