@@ -39,6 +39,12 @@ bool lead_up_at_all(uint32_t count, double side, const Direction &a, const Inver
     if (!(squared > 1e-28) || corners == 4 || least > (1.0 - 1e-6) * squared - tiny) return false;
     simplex[corners++] = a(which);
     d = nearest_to_zero(simplex, corners, d);
+    // Of two directions that are nearly opposite d is what little their parts leave, wrong by u of these: at right
+    // angles to their difference it has as much of both.
+    if (corners == 2) {
+      const Vec3 apart = simplex[1] - simplex[0];
+      d = d - (dot(d, apart) / dot(apart, apart)) * apart;
+    }
   }
   return false;
 }

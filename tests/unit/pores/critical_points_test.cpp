@@ -203,6 +203,26 @@ TEST(CriticalPoints, LowCrownsByAllSets) {
   EXPECT_GT(seen.tied, 4);
 }
 
+// Clusters of balls that are some steps wide and very far apart: in the middle between two of them the directions to
+// the balls are opposite but for what the distance leaves of some steps.
+TEST(CriticalPoints, ClustersFarApart) {
+  oracle::RandomSource random(9);
+  checked_pores::Seen seen;
+  for (int turn = 0; turn < 24; ++turn) {
+    oracle::Balls balls;
+    for (int k = 0; k < 8; ++k) {
+      const int64_t away = k % 2 == 0 ? 0 : INT64_C(1) << 43;
+      const auto near = [&] { return random.in(-3, 3); };
+      balls.push_back({near() + away, near() + (turn % 3 > 0 ? away / (turn + 1) : 0), near() + away / 7 * (turn % 4),
+                       turn % 2 == 0 ? 1 : random.in(0, 2)});
+    }
+    const FoundPoints found(oracle::outer_balls(balls), -3);
+    EXPECT_LT(found.points().work().cubes, 1000U) << turn;
+    ASSERT_NO_FATAL_FAILURE(checked_pores::compare_with_all_sets(balls, seen));
+  }
+  EXPECT_GT(seen.points, 24);
+}
+
 // Points of the floor's own level are not above it.
 TEST(CriticalPoints, FloorsAreStrict) {
   // A ring of four around the origin, at 500 from it, and two on the axis at 500: an octahedron of level 400.
