@@ -304,6 +304,35 @@ uint32_t CriticalPoints::drop_farther(uint32_t first, uint32_t count) {
   return left;
 }
 
+// The same for balls that are closer together than doubles tell their distances apart, or than the cube is wide. Let y
+// and Y be the vectors from two centres to the middle of the cube. The difference of their lengths is (y - Y).(y + Y) /
+// (|y| + |Y|): as y - Y is exact, it is wrong by a fraction of |y - Y| alone, less than 2^-48. Elsewhere in the cube it
+// is no more than `reach` times the difference of the unit vectors away from that, which is at most 2 |y - Y| / (|y| +
+// |Y|) (Dunkl and Williams 1964).
+uint32_t CriticalPoints::drop_clustered(uint32_t first, uint32_t count, const Vec3 &at, double half) {
+  const BallSet &balls = *balls_;
+  const double reach = root_of_three * half;
+  const auto is_farther = [&](uint32_t ball, uint32_t other) {
+    const Vec3 y = at - centre_of(balls, ball), Y = at - centre_of(balls, other), w = balls.difference(ball, other);
+    const double lengths = std::sqrt(dot(y, y)) + std::sqrt(dot(Y, Y)), apart = std::sqrt(dot(w, w));
+    const double wider = balls.r[ball] - balls.r[other];
+    if (!(lengths > 4.0 * reach)) return false;
+    const double off = 2.0 * reach * apart / (lengths - 2.0 * reach);
+    return dot(w, y + Y) / lengths - wider > off + 0x1p-44 * (apart + off + std::fabs(wider));
+  };
+  uint32_t left = 0;
+  for (uint32_t k = 0; k < count; ++k) {
+    const uint32_t ball = candidates_[first + k];
+    bool farther = false;
+    for (uint32_t m = 0; m < left && !farther; ++m) farther = is_farther(ball, candidates_[first + m]);
+    for (uint32_t m = k + 1; m < count && !farther; ++m) farther = is_farther(ball, candidates_[first + m]);
+    if (farther) continue;
+    directions_[0].move(k, left);
+    candidates_[first + left++] = ball;
+  }
+  return left;
+}
+
 // Tries the sets of a cube's candidates at once if all of them tie, or nearly tie, at one point.
 void CriticalPoints::search_ties(Cube &cube) {
   const BallSet &balls = *balls_;

@@ -108,12 +108,13 @@ class CriticalPoints {
   bool is_searched(const Cube &cube) const;
   void search_ties(Cube &cube);
   uint32_t drop_farther(uint32_t first, uint32_t count);
+  uint32_t drop_clustered(uint32_t first, uint32_t count, const Vec3 &at, double half);
   uint32_t leave_few(const Vec3 &at, double half, uint32_t first, uint32_t count, bool thoroughly);
   uint32_t leave_many(const Vec3 &at, double half, uint32_t first, uint32_t count);
   void see_directions(Span<const uint32_t> near, const Vec3 &at);
   uint32_t enter(const FineCube &cube, const FineCube &whole, const Block &block);
   void try_leaf(Span<const uint32_t> near, const Block &block, const Block &other, PointKind alone, uint32_t last);
-  void try_finely(Span<const uint32_t> near, const Block &block, const Block &other, uint32_t last);
+  void try_finely(Span<const uint32_t> near, const Block &block, const Block &other, uint32_t last, double least_half);
   bool try_common_point(Span<const uint32_t> near, const Block &block, const Block &other);
   void try_tied(TangentPoint &point, Span<const uint32_t> near, const Block &block, const Block &other, bool all_tie);
   // Which of the balls that tie at a point may have another critical point nearby: none, those on one circle, any.
@@ -179,8 +180,10 @@ class CriticalPoints {
                                                                  uint32_t count, bool thoroughly) {
   CubeDirections &directions = directions_[0];
   directions.set(target_, near_arrays(candidates_.part(first, first + count)), at, half);
-  const uint32_t left = drop_farther(first, count);
+  uint32_t left = drop_farther(first, count);
   if (left < 3 || directions.lead_up(left)) return 0;
+  if (thoroughly && left > most_tried_whole) left = drop_clustered(first, left, at, half);
+  if (left < 3) return 0;
   return thoroughly && directions.lead_up_at_all(left) ? 0 : left;
 }
 

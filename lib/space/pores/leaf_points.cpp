@@ -9,7 +9,8 @@
 namespace hsp {
 namespace {
 
-constexpr double least_fine = 0x1p-8;  // half a side of what a leaf is divided into
+// Half a side of the least parts that a leaf is divided into, and how much that may be where all balls are far away.
+constexpr double least_fine = 0x1p-8, most_fine = 0x1p-4;
 
 }  // namespace
 
@@ -21,19 +22,23 @@ void CriticalPoints::try_leaf(Span<const uint32_t> near, const Block &block, con
   if (near.size() > limits_.near) return;
   if (near.size() <= most_tried_whole) return try_sets(near, block, other, alone);
   if (try_common_point(near, block, other)) return;
-  bool fits = longest_part(to_double(block.centre)) < 0x1p43;
-  for (const uint32_t ball : near) fits = fits && distance(*balls_, ball, block.centre) < 0x1p40;
-  if (near.size() <= most_in_leaf || !fits) return try_sets(near, block, other, alone);
-  try_finely(near, block, other, last);
+  // Doubles have to know places in parts of the leaf exactly, and distances about as closely as the parts are wide.
+  double least = least_fine, farthest = 0.0;
+  for (const uint32_t ball : near) farthest = larger_of(farthest, distance(*balls_, ball, block.centre));
+  while (least <= 0x1p-51 * longest_part(to_double(block.centre)) || least <= 0x1p-48 * farthest) least *= 2.0;
+  if (near.size() <= most_in_leaf || least > most_fine) return try_sets(near, block, other, alone);
+  try_finely(near, block, other, last, least);
 }
 
-// Halves a leaf down to fractions of a step. There its candidates become fewer, except for those that tie exactly.
-void CriticalPoints::try_finely(Span<const uint32_t> near, const Block &block, const Block &other, uint32_t last) {
+// Halves a leaf down to parts whose half sides are `least`, as a rule fractions of a step. There its candidates become
+// fewer, except for those that tie exactly.
+void CriticalPoints::try_finely(Span<const uint32_t> near, const Block &block, const Block &other, uint32_t last,
+                                double least_half) {
   const uint32_t count = near.size();
   needed_.candidates = larger_count(needed_.candidates, clamped_count(static_cast<uint64_t>(last) + count));
   if (count > limits_.candidates - last) return;
   for (uint32_t k = 0; k < count; ++k) candidates_[last + k] = near[k];
-  double half = least_fine;
+  double half = least_half;
   while (half < block.half) half *= 2.0;
   uint32_t depth = 0;
   fine_cubes_[depth++] = {{0.0, 0.0, 0.0}, half, last, last + count, 0};
@@ -60,7 +65,7 @@ void CriticalPoints::try_finely(Span<const uint32_t> near, const Block &block, c
     if (!patience_.allows(5000)) return;
     if (here.empty()) continue;
     // No candidate was dropped: perhaps all of them tie at one point.
-    const bool least = child.half <= least_fine, stay = here.size() == cube.last - cube.first;
+    const bool least = child.half <= least_half, stay = here.size() == cube.last - cube.first;
     if (here.size() > most_tried_whole && (least || stay) && try_common_point(here, own, other)) continue;
     if (here.size() > most_tried_whole && !least) {
       ++depth;

@@ -223,6 +223,50 @@ TEST(CriticalPoints, ClustersFarApart) {
   EXPECT_GT(seen.points, 24);
 }
 
+// Two plates, three posts: balls in planes, or on lines, that are far apart beside the distances of the balls. Between
+// them all distances differ by less than rounding.
+TEST(CriticalPoints, PlatesAndPostsFarApart) {
+  oracle::RandomSource random(10);
+  checked_pores::Seen seen;
+  for (int turn = 0; turn < 40; ++turn) {
+    const int64_t away = turn % 4 == 0 ? 10000000 : turn % 4 == 1 ? 300000000 : INT64_C(1) << (33 + turn % 7);
+    const int64_t wide = turn % 3 == 0 ? 3 : 40;
+    oracle::Balls balls;
+    for (int k = 0; k < (turn % 4 == 0 ? 16 : 12); ++k) {
+      const bool is_post = turn % 5 == 4;
+      const int64_t x = is_post ? away * random.in(0, 2) / 2 : random.in(-wide, wide);
+      const int64_t y = is_post ? away * random.in(0, 1) : random.in(-wide, wide);
+      balls.push_back({x, y, is_post ? random.in(-wide, wide) : away * (k % 2), 0});
+    }
+    const FoundPoints found(oracle::outer_balls(balls), -1);
+    EXPECT_LT(found.points().work().cubes, 20000U) << turn;
+    EXPECT_LT(found.points().work().quadruples, 20000U) << turn;
+    ASSERT_NO_FATAL_FAILURE(checked_pores::compare_with_all_sets(balls, seen));
+  }
+  EXPECT_GT(seen.points, 40);
+}
+
+// Rings and shells so wide that doubles do not tell distances from them to 2^-8 of a step. n balls have n^4 / 24 sets
+// of four.
+TEST(CriticalPoints, WideRingsTakeFewQuestions) {
+  oracle::RandomSource random(11);
+  for (const uint32_t n : {16U, 40U}) {
+    for (const bool is_shell : {false, true}) {
+      oracle::Balls balls;
+      for (uint32_t k = 0; k < n; ++k) {
+        const double turn = 6.283185307179586 * k / n,
+                     up = is_shell ? 0.01 * static_cast<double>(random.in(-90, 90)) : 0.0;
+        const double across = 1e13 * std::sqrt(1.0 - up * up);
+        balls.push_back(
+            {std::llround(across * std::cos(turn)), std::llround(across * std::sin(turn)), std::llround(1e13 * up), 0});
+      }
+      const FoundPoints found(balls, -1);
+      ASSERT_EQ(found.status(), hsp::Status::ok);
+      EXPECT_LT(found.points().lines().questions(), 150U * n) << n << ' ' << is_shell;
+    }
+  }
+}
+
 // Points of the floor's own level are not above it.
 TEST(CriticalPoints, FloorsAreStrict) {
   // A ring of four around the origin, at 500 from it, and two on the axis at 500: an octahedron of level 400.
