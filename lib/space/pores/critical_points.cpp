@@ -271,7 +271,7 @@ uint32_t CriticalPoints::enter(const Cube &cube, const Cube &whole, uint32_t par
 
 uint32_t CriticalPoints::leave_many(const Vec3 &at, double half, uint32_t first, uint32_t count) {
   if (count > limits_.near || count > most_led_up) return count;
-  needed_.near = larger_count(needed_.near, count);  // with less room other cubes are halved, which may need more
+  if (needed_.near < count) needed_.near = count;  // with less room other cubes are halved, which may need more
   see_directions(candidates_.part(first, first + count), at);
   const auto a = [&](uint32_t k) { return hull_[k]; };
   const auto inverse = [&](uint32_t k) { return inverse_[k]; };
