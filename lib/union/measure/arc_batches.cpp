@@ -135,9 +135,11 @@ void ArcBatches::put_circles() {
   }
 }
 
-// Lanes beyond the last slot are computed, too. They repeat its circle.
+// Lanes beyond the last slot are computed, too. They repeat its circle, and no slot leads behind the last one, where
+// nothing has been written.
 void ArcBatches::pad() {
   const uint32_t last = batch_.count - 1;
+  if (batch_.next[last] > last) batch_.next[last] = last;
   for (uint32_t s = batch_.count; s < batch_.count + sum_lanes - 1; ++s) {
     batch_.other[s] = batch_.other[last];
     batch_.root_discriminant[s] = 0.0;
