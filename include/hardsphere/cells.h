@@ -64,7 +64,8 @@ HSP_API int32_t HSP_CALL hsp_cells_limits_init(hsp_cells_limits *limits, uint32_
  *
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_VERSION   bad struct_size
- *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, the size does not fit a size_t, or an array in it
+ *                          would have 2^32 items or more */
 HSP_API int32_t HSP_CALL hsp_cells_bytes(const hsp_cells_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
@@ -77,7 +78,8 @@ HSP_API int32_t HSP_CALL hsp_cells_bytes(const hsp_cells_limits *limits, size_t 
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_cells_bytes says; nothing is written
- *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, the size does not fit a size_t, or an array in it
+ *                          would have 2^32 items or more */
 HSP_API int32_t HSP_CALL hsp_cells_init(void *memory, size_t bytes, const hsp_cells_limits *limits, hsp_cells **cells);
 
 /** Cut the free space of a model into cells. The model must outlive the cells; the cells can be read while the model

@@ -64,7 +64,8 @@ HSP_API int32_t HSP_CALL hsp_moving_limits_init(hsp_moving_limits *limits, uint3
  *
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_VERSION   bad struct_size
- *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, the size does not fit a size_t, or an array in it
+ *                          would have 2^32 items or more */
 HSP_API int32_t HSP_CALL hsp_moving_bytes(const hsp_moving_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
@@ -75,7 +76,8 @@ HSP_API int32_t HSP_CALL hsp_moving_bytes(const hsp_moving_limits *limits, size_
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_moving_bytes says; nothing is written
- *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, the size does not fit a size_t, or an array in it
+ *                          would have 2^32 items or more */
 HSP_API int32_t HSP_CALL hsp_moving_init(void *memory, size_t bytes, const hsp_moving_limits *limits,
                                          hsp_moving **moving);
 

@@ -57,7 +57,8 @@ HSP_API int32_t HSP_CALL hsp_paths_limits_init(hsp_paths_limits *limits, uint32_
  *
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_VERSION   bad struct_size
- *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, the size does not fit a size_t, or an array in it
+ *                          would have 2^32 items or more */
 HSP_API int32_t HSP_CALL hsp_paths_bytes(const hsp_paths_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
@@ -72,7 +73,8 @@ HSP_API int32_t HSP_CALL hsp_paths_bytes(const hsp_paths_limits *limits, size_t 
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_paths_bytes says; nothing is written
- *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, the size does not fit a size_t, or an array in it
+ *                          would have 2^32 items or more */
 HSP_API int32_t HSP_CALL hsp_paths_init(void *memory, size_t bytes, const hsp_paths_limits *limits, hsp_paths **paths);
 
 /** Cut the free space of a model into cells, so that paths can be found. The model must outlive the paths; the paths

@@ -107,7 +107,8 @@ HSP_API int32_t HSP_CALL hsp_surface_limits_init(hsp_surface_limits *limits, uin
  *
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_VERSION   bad struct_size
- *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, the size does not fit a size_t, or an array in it
+ *                          would have 2^32 items or more */
 HSP_API int32_t HSP_CALL hsp_surface_bytes(const hsp_surface_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
@@ -120,7 +121,8 @@ HSP_API int32_t HSP_CALL hsp_surface_bytes(const hsp_surface_limits *limits, siz
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_surface_bytes says; nothing is written
- *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, the size does not fit a size_t, or an array in it
+ *                          would have 2^32 items or more */
 HSP_API int32_t HSP_CALL hsp_surface_init(void *memory, size_t bytes, const hsp_surface_limits *limits,
                                           hsp_surface **surface);
 

@@ -65,14 +65,15 @@ class Workspace {
     ((arrays = take<T>(count)), ...);
   }
 
-  // Bytes that suffice for any alignment of the block; 0 if they do not fit a size_t.
+  // Bytes that suffice for any alignment of the block; 0 if they do not fit a size_t, or an array no span.
   size_t bytes() const { return overflow_ || used_ > SIZE_MAX - alignment ? 0 : used_ + alignment; }
 
  private:
   // Reserves the bytes of an array and of the pad behind it. Null while measuring, and if the array does not fit the
   // block. Not inlined: handles are carved into dozens of arrays.
   [[gnu::noinline]] void *reserve(uint64_t count, size_t size) {
-    if (used_ > SIZE_MAX / 2 || count > (SIZE_MAX / 2 - used_) / size) {  // padding can exceed half of SIZE_MAX
+    // Padding can exceed half of SIZE_MAX. A span has no more than 2^32 - 1 items.
+    if (used_ > SIZE_MAX / 2 || count > (SIZE_MAX / 2 - used_) / size || count > UINT32_MAX) {
       overflow_ = true;
       return nullptr;
     }

@@ -26,9 +26,14 @@ uint32_t SearchInLanes::count_few_clusters(Target target, const BallSet &balls, 
 void SearchInLanes::carve(Workspace &workspace, uint32_t neighbours) {
   target_ = workspace.target();
   enabled = neighbours <= PairSweep::most_caps;
-  // Rows of whole vectors.
+  // Rows of whole vectors. Where there are so many neighbours that a span does not know the size of all rows, there is
+  // no search in lanes.
+  struct OfEachRow {
+    float number[18];
+  };
   const size_t row = (neighbours + FloatCaps::spare + 7) / 8 * 8;
-  rows_ = workspace.take<float>(18 * static_cast<uint64_t>(row));
+  const Span<OfEachRow> rows = workspace.take<OfEachRow>(row);
+  rows_ = {reinterpret_cast<float *>(rows.data()), 18 * rows.size()};
   uncrossed_ = workspace.take<uint32_t>(neighbours);
   if (rows_.empty()) return;
   float *next = rows_.data();

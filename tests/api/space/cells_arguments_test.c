@@ -69,6 +69,8 @@ static void sizes(void) {
     memcpy(&limits, n, sizeof limits);
     CHECK_EQUAL(hsp_cells_bytes(&limits, &bytes), HSP_OK);
     CHECK(bytes > 0 && bytes <= HSP_CELLS_BYTES(n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9]));
+    limits.cube_balls = HSP_MAX_BALLS; /* an array of more than 2^32 items */
+    CHECK_EQUAL(hsp_cells_bytes(&limits, &bytes), HSP_E_RANGE);
   }
 }
 

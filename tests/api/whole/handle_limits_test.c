@@ -133,6 +133,16 @@ static void bad_limits(const kind_of_limits *k) {
   }
 }
 
+/* An array of more than 2^32 items, the size of which no handle knows. */
+static void too_large_arrays(void) {
+  const limit_numbers surface = {{(uint32_t)sizeof(hsp_surface_limits), SMALL, SMALL, HSP_MAX_BALLS, 8, 40, 2}};
+  const limit_numbers boundary = {{(uint32_t)sizeof(hsp_boundary_limits), SMALL, HSP_MAX_BALLS, 16, 16}};
+  size_t bytes = 0;
+  check_scene("arrays that are too large");
+  CHECK_EQUAL(surface_handle.bytes(&surface, &bytes), HSP_E_RANGE);
+  CHECK(sizeof(size_t) == 4 || boundary_handle.bytes(&boundary, &bytes) == HSP_OK);
+}
+
 static void bad_memory(const kind_of_limits *k) {
   unsigned char *memory, *pattern;
   void *made;
@@ -165,5 +175,6 @@ int main(void) {
     bad_limits(&kinds[i]);
     bad_memory(&kinds[i]);
   }
+  too_large_arrays();
   return check_report();
 }

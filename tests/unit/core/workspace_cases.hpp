@@ -78,11 +78,19 @@ inline uint32_t sizes_that_do_not_fit() {
   measure.take<double>(UINT64_MAX / 4);
   measure.take<double>(UINT64_MAX / 4);
   // The padding after the first array reaches half of the address space; the others would go once around it.
+  struct Quarter {
+    char bytes[SIZE_MAX / 4 - 5];
+  };
   hsp::Workspace around;
-  around.take<char>(SIZE_MAX / 2 - 10);
-  around.take<char>(SIZE_MAX / 2);
+  around.take<Quarter>(2);
+  around.take<Quarter>(2);
   around.take<char>(64);
-  const bool conditions[] = {measure.bytes() == 0, around.bytes() == 0};
+  // More items than a span has.
+  hsp::Workspace most, more;
+  most.take<char>(UINT32_MAX);
+  more.take<char>(UINT64_C(1) << 32);
+  const bool conditions[] = {measure.bytes() == 0, around.bytes() == 0, sizeof(size_t) == 4 || most.bytes() != 0,
+                             more.bytes() == 0};
   return first_false(conditions);
 }
 
