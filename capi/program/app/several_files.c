@@ -172,7 +172,7 @@ static bool take_file(void *of, uint32_t slot, uint64_t *weight) {
   struct file *const file = &several->file[slot];
   if (several->taken == several->first->files) return false;
   file->name = several->first->names[several->taken++];
-  file->failure = (struct failure){0, NULL, 0, ""};
+  file->failure = (struct failure){0, NULL, 0, "", false};
   file->request = request_of(several, file->name, &file->failure);
   file->out.length = 0;
   if (several->loop.workers > 1) *weight = memory_of(file->name);
@@ -236,7 +236,7 @@ bool several_files_run(const struct request *first, int count, char **arguments,
     if (loop->workers > 1) progress_be_quiet();
     done = in_order_run(loop) || failure_of_memory(failure);
     progress_end(&several.progress);
-    *failure = (struct failure){several.exit_status, NULL, 0, ""};
+    *failure = (struct failure){several.exit_status, NULL, 0, "", false};
     done = done && !stopping_asked();
   }
   for (uint32_t k = 0; several.file != NULL && k < loop->slots; ++k) {

@@ -226,7 +226,7 @@ static bool measure_plugged(const struct geometry *geometry, struct geometry *pl
     before = balls.atoms;
     if (done) step = step_for(&balls, step);
     if (done && more && !find_pores_and_surface(now, &balls, box, 0.0, step, from, failure)) {
-      done = failure->exit_status == EXIT_BAD_INPUT;
+      done = failure->exit_status == EXIT_BAD_INPUT && !failure->of_memory;
       *status = HSP_E_RANGE;
     }
     free_balls(&balls);

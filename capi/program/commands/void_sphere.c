@@ -109,7 +109,7 @@ static bool find_sphere(const struct geometry *geometry, struct geometry *around
     if (of->sphere.found || floor == 0.0) break;
     floor = floor > least ? FLOOR * floor : 0.0;
   }
-  if (done || failure->exit_status != EXIT_BAD_INPUT) return done;
+  if (done || failure->exit_status != EXIT_BAD_INPUT || failure->of_memory) return done;
   *failure = none;
   return true;
 }

@@ -18,6 +18,7 @@ bool failure_in_input(struct failure *failure, uint64_t line, const char *format
   va_end(arguments);
   failure->exit_status = EXIT_BAD_INPUT;
   failure->line = line;
+  failure->of_memory = false;
   return false;
 }
 
@@ -29,6 +30,7 @@ bool failure_in_usage(struct failure *failure, const char *format, ...) {
   failure->exit_status = EXIT_BAD_USAGE;
   failure->file = NULL;
   failure->line = 0;
+  failure->of_memory = false;
   return false;
 }
 
@@ -40,7 +42,9 @@ bool usage_rules_hold(const struct usage_rule *rule, size_t count, struct failur
 }
 
 bool failure_of_memory(struct failure *failure) {
-  return failure_in_input(failure, 0, "out of memory");
+  failure_in_input(failure, 0, "out of memory");
+  failure->of_memory = true;
+  return false;
 }
 
 static void put_printable(const char *text) {

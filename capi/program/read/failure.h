@@ -14,6 +14,7 @@ struct failure {
   const char *file; /* the file at fault, or NULL; not owned */
   uint64_t line;    /* its line, counted from 1; 0 where no line applies */
   char reason[512];
+  bool of_memory; /* whether it is that memory is short */
 };
 
 /* Marks functions that are seldom called. They are not inlined, so that their callers save fewer registers. */
