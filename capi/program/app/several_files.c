@@ -234,10 +234,10 @@ bool several_files_run(const struct request *first, int count, char **arguments,
   if (done) {
     several.progress = progress_begin(files, WATCHED_FILES);
     if (loop->workers > 1) progress_be_quiet();
-    done = in_order_run(loop) || failure_of_memory(failure);
+    const bool enough = in_order_run(loop);
     progress_end(&several.progress);
     *failure = (struct failure){several.exit_status, NULL, 0, "", false};
-    done = done && !stopping_asked();
+    done = (enough || failure_of_memory(failure)) && !stopping_asked();
   }
   for (uint32_t k = 0; several.file != NULL && k < loop->slots; ++k) {
     text_buffer_free(&several.file[k].out);
