@@ -421,7 +421,7 @@ static size_t moving_macro(const limit_numbers *limits) {
 
 static void sizes(void) {
   static const uint32_t box[] = {0, 1, 2, 3, 7, 8, 9, 64, 65, 1000, 4097, 65535, 1000000, 0x0FFFFFFE, 0x0FFFFFFF};
-  static const size_bound bound = {moving_macro, {196608, 640, 1280}};
+  static const size_bound bound = {moving_macro, {196608, 640, 1280}, 3e11};
   check_scene("sizes");
   sweep_sizes(&moving_handle, &bound, box, sizeof box / sizeof box[0]);
 }

@@ -43,7 +43,7 @@ static size_t macro(const limit_numbers *limits) {
 
 static void sizes(void) {
   static const uint32_t values[] = {0, 1, 3, 8, 9, 17, 65, 1000, 1024, 1025, 4097, 0x0FFFFFFF};
-  static const size_bound bound = {macro, {32768, 288, 208, 352}};
+  static const size_bound bound = {macro, {32768, 288, 208, 352}, 0};
   check_scene("sizes");
   sweep_sizes(&map_handle, &bound, values, sizeof values / sizeof values[0]);
 }

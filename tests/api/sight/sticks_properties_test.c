@@ -55,7 +55,7 @@ static size_t macro(const limit_numbers *limits) {
 
 static void sizes(void) {
   static const uint32_t values[] = {0, 1, 3, 8, 9, 65, 1000, 4097, 0x0FFFFFFF};
-  static const size_bound bound = {macro, {16384, 192, 384, 20, 400}};
+  static const size_bound bound = {macro, {16384, 192, 384, 20, 400}, 0};
   check_scene("sizes");
   sweep_sizes(&sticks_handle, &bound, values, sizeof values / sizeof values[0]);
 }

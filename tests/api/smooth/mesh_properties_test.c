@@ -121,7 +121,7 @@ static size_t macro(const limit_numbers *limits) {
 
 static void sizes(void) {
   static const uint32_t values[] = {0, 1, 3, 8, 65, 1000, 1024, 4097, 0x0FFFFFFF};
-  static const size_bound bound = {macro, {4096, 16, 32, 64, 32, 384}};
+  static const size_bound bound = {macro, {4096, 16, 32, 64, 32, 384}, 0};
   check_scene("sizes");
   sweep_sizes(&mesh_handle, &bound, values, sizeof values / sizeof values[0]);
 }

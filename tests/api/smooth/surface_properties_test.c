@@ -393,7 +393,7 @@ static size_t macro(const limit_numbers *limits) {
 
 static void sizes(void) {
   static const uint32_t values[] = {0, 1, 65, 1000, 4097, 0x0FFFFFFF};
-  static const size_bound bound = {macro, {8192, 54, 9, 1152, 106, 26, 16}};
+  static const size_bound bound = {macro, {8192, 54, 9, 1152, 106, 26, 16}, 4.8e10};
   check_scene("sizes");
   sweep_sizes(&surface_handle, &bound, values, sizeof values / sizeof values[0]);
 }

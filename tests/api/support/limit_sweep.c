@@ -148,7 +148,7 @@ size_t size_of(const handle_kind *kind, const size_bound *bound, const limit_num
   if (kind->bytes(limits, &bytes) == HSP_OK) return bytes;
   CHECK_EQUAL(kind->bytes(limits, &bytes), HSP_E_RANGE);
   for (which = 1; which <= kind->limits; ++which) most += bound->factors[which] * limits->number[which];
-  CHECK(most > (double)(SIZE_MAX / 2));
+  CHECK(most > (double)(SIZE_MAX / 2) || (bound->too_many_items > 0 && most > bound->too_many_items));
   return SIZE_MAX;
 }
 

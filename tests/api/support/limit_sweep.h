@@ -36,6 +36,7 @@ void sweep_alignments(const known_handle *known, void (*more)(void *handle, cons
 typedef struct size_bound {
   size_t (*macro)(const limit_numbers *limits);
   double factors[LIMIT_NUMBERS];
+  double too_many_items; /* bytes from which on an array may have 2^32 items, so that limits are refused; or 0 */
 } size_bound;
 
 /* The sizes of a kind's memory for all combinations of limits out of `values`, which ascend. Property 1: the macro

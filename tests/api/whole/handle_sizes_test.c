@@ -56,9 +56,9 @@ static size_t view_macro(const limit_numbers *limits) {
   return HSP_VIEW_BYTES(n[1], n[2], n[3]);
 }
 enum { BOUNDED = VIEW + 1 }; /* of these kinds; those of surfaces, meshes and maps have tests of their own */
-static const size_bound bounds[BOUNDED] = {{boundary_macro, {4096, 64, 256, 160, 80}},
-                                           {topology_macro, {4096, 64, 192, 112, 96}},
-                                           {view_macro, {32768, 192, 384, 64, 0}}};
+static const size_bound bounds[BOUNDED] = {{boundary_macro, {4096, 64, 256, 160, 80}, 0},
+                                           {topology_macro, {4096, 64, 192, 112, 96}, 0},
+                                           {view_macro, {32768, 192, 384, 64, 0}, 0}};
 
 /* Limits that suffice for molecules of so many balls; of a topology as the header says. */
 static limit_numbers default_limits(const handle_kind *kind, uint32_t balls) {
