@@ -114,7 +114,7 @@ class CriticalPoints {
   void see_directions(Span<const uint32_t> near, const Vec3 &at);
   uint32_t enter(const FineCube &cube, const FineCube &whole, const Block &block);
   void try_leaf(Span<const uint32_t> near, const Block &block, const Block &other, PointKind alone, uint32_t last);
-  void try_finely(Span<const uint32_t> near, const Block &block, const Block &other, uint32_t last, double least_half);
+  void try_finely(Span<const uint32_t> near, const Block &block, const Block &other, uint32_t last, double least_part);
   bool try_common_point(Span<const uint32_t> near, const Block &block, const Block &other);
   void try_tied(TangentPoint &point, Span<const uint32_t> near, const Block &block, const Block &other, bool all_tie);
   // Which of the balls that tie at a point may have another critical point nearby: none, those on one circle, any.

@@ -33,12 +33,12 @@ void CriticalPoints::try_leaf(Span<const uint32_t> near, const Block &block, con
 // Halves a leaf down to parts whose half sides are `least`, as a rule fractions of a step. There its candidates become
 // fewer, except for those that tie exactly.
 void CriticalPoints::try_finely(Span<const uint32_t> near, const Block &block, const Block &other, uint32_t last,
-                                double least_half) {
+                                double least_part) {
   const uint32_t count = near.size();
   needed_.candidates = larger_count(needed_.candidates, clamped_count(static_cast<uint64_t>(last) + count));
   if (count > limits_.candidates - last) return;
   for (uint32_t k = 0; k < count; ++k) candidates_[last + k] = near[k];
-  double half = least_half;
+  double half = least_part;
   while (half < block.half) half *= 2.0;
   uint32_t depth = 0;
   fine_cubes_[depth++] = {{0.0, 0.0, 0.0}, half, last, last + count, 0};
@@ -65,7 +65,7 @@ void CriticalPoints::try_finely(Span<const uint32_t> near, const Block &block, c
     if (!patience_.allows(5000)) return;
     if (here.empty()) continue;
     // No candidate was dropped: perhaps all of them tie at one point.
-    const bool least = child.half <= least_half, stay = here.size() == cube.last - cube.first;
+    const bool least = child.half <= least_part, stay = here.size() == cube.last - cube.first;
     if (here.size() > most_tried_whole && (least || stay) && try_common_point(here, own, other)) continue;
     if (here.size() > most_tried_whole && !least) {
       ++depth;
