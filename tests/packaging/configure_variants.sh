@@ -53,7 +53,9 @@ if grep -q 'hardsphere_\(readers\|program\|tool\)\.dir/Unity' "$work/unity/compi
   fail "CMAKE_UNITY_BUILD makes the program of large units"
 fi
 
-# The .pc file finds headers and libraries, however their folders are named.
+# The .pc file finds headers and libraries, however their folders are named. CMake takes no folder of headers in the sources.
+outside=$(mktemp -d)
+trap 'rm -rf "$outside"' EXIT
 packaged() { # name, prefix, folder of libraries, folder of headers, options
   local name=$1 prefix=$2 libraries=$3 headers=$4
   shift 4
@@ -67,10 +69,10 @@ packaged() { # name, prefix, folder of libraries, folder of headers, options
   done
 }
 packaged folders_below "$work/p" "$work/p/lib64" "$work/p/include" -DCMAKE_INSTALL_LIBDIR="$work/p/lib64"
-packaged folders_apart "$work/q" "$work/lib" "$work/dev/include" -DCMAKE_INSTALL_LIBDIR="$work/lib" \
-  -DCMAKE_INSTALL_INCLUDEDIR="$work/dev/include"
-packaged headers_apart "$work/r" "$work/moved/lib/x" "$work/dev/include" -DCMAKE_INSTALL_LIBDIR=lib/x \
-  -DCMAKE_INSTALL_INCLUDEDIR="$work/dev/include"
+packaged folders_apart "$work/q" "$work/lib" "$outside/include" -DCMAKE_INSTALL_LIBDIR="$work/lib" \
+  -DCMAKE_INSTALL_INCLUDEDIR="$outside/include"
+packaged headers_apart "$work/r" "$work/moved/lib/x" "$outside/include" -DCMAKE_INSTALL_LIBDIR=lib/x \
+  -DCMAKE_INSTALL_INCLUDEDIR="$outside/include"
 packaged libraries_apart "$work/s" "$work/lib" "$work/s/include" -DCMAKE_INSTALL_LIBDIR="$work/lib"
 
 # A project without a build type that carries the sources and installs something of its own.

@@ -78,12 +78,13 @@ inline uint32_t sizes_that_do_not_fit() {
   measure.take<double>(UINT64_MAX / 4);
   measure.take<double>(UINT64_MAX / 4);
   // The padding after the first array reaches half of the address space; the others would go once around it.
-  struct Quarter {
-    char bytes[SIZE_MAX / 4 - 5];
+  // Compilers know no array as large as that. 337 leaves next to nothing, whether a size has 32 bits or 64.
+  struct Large {
+    char bytes[SIZE_MAX / 2 / 337];
   };
   hsp::Workspace around;
-  around.take<Quarter>(2);
-  around.take<Quarter>(2);
+  around.take<Large>(337);
+  around.take<Large>(337);
   around.take<char>(64);
   // More items than a span has.
   hsp::Workspace most, more;
