@@ -9,6 +9,7 @@
 #include "handle_life.h"
 #include "limit_sweep.h"
 #include "topology_sets.h"
+#include "untouched.h"
 
 static const uint32_t numbers[] = {
     0,    1,    2,     3,     4,     7,       8,         9,          15,         16,         17,        31,   32,
@@ -137,6 +138,7 @@ static void memory_is_not_touched(int kind) {
   CHECK_EQUAL(k->bytes(&limits, &bytes), HSP_OK);
   memory = guarded_take(bytes, 0, GUARDED_PATTERN);
   CHECK_EQUAL(k->init(memory.block, bytes, &limits, &handle), HSP_OK);
+  unpoison(memory.block, bytes);
   for (i = 0; i < bytes; ++i) touched += memory.block[i] != GUARDED_PATTERN;
   CHECK(touched < bytes / 8);
   guarded_give_back(&memory);
