@@ -15,7 +15,7 @@ PatchState SphericalPatch::triangulate_from_loops() {
   if (samples_.overflowed()) return PatchState::capacity;
   border_caps_ = caps_.size();
   sphere_.start(0);
-  for (uint32_t t = 0; t < sphere_.triangle_count(); ++t) parts_[t] = no_part;
+  for (uint32_t t = 0; t < sphere_.triangle_count(); ++t) parts_[t] = Part{};
   for (uint32_t p = 0; p < sphere_.point_count(); ++p) sample_at_[p] = no_id;
   link_samples();
   uint32_t last = 0;

@@ -99,7 +99,7 @@ bool SphericalPatch::add_detour(uint32_t sample, uint32_t obstacle) {
 }
 
 bool SphericalPatch::lay_strands() {
-  for (uint32_t t = 0; t < sphere_.triangle_count(); ++t) parts_[t] = no_part;
+  for (uint32_t t = 0; t < sphere_.triangle_count(); ++t) parts_[t] = Part{};
   for (uint32_t k = 0; k < linked_samples_; ++k) {
     if (!has_length(k)) continue;
     TriangleEdge way;

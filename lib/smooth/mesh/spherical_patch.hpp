@@ -106,14 +106,13 @@ class SphericalPatch {
   };
   // Data of a triangle of the sphere.
   struct Part {
-    uint32_t face;       // no_id: not of the patch
-    uint32_t corner[3];  // samples, and for points inside vertices of the mesh
-    uint32_t middle[3];  // of edges, where they are divided, else no_id
+    uint32_t face = no_id;                       // no_id: not of the patch
+    uint32_t corner[3] = {no_id, no_id, no_id};  // samples, and for points inside vertices of the mesh
+    uint32_t middle[3] = {no_id, no_id, no_id};  // of edges, where they are divided, else no_id
     // For an edge that a loop runs along with the triangle on its left: the sample where this part of the loop starts;
     // else no_id.
-    uint32_t strand[3];
+    uint32_t strand[3] = {no_id, no_id, no_id};
   };
-  static constexpr Part no_part{no_id, {no_id, no_id, no_id}, {no_id, no_id, no_id}, {no_id, no_id, no_id}};
 
   uint32_t end_of_loop(uint32_t loop) const {
     return loop + 1 < loops_.size() ? loops_[loop + 1].first : border_samples_;
