@@ -290,10 +290,9 @@ void CriticalPoints::see_directions(Span<const uint32_t> near, const Vec3 &at) {
   }
 }
 
-// Leaves out candidates that are farther than another one in all of the cube; returns how many stay.
-uint32_t CriticalPoints::drop_farther(uint32_t first, uint32_t count) {
+// Leaves out candidates that are farther than another one in all of the cube, a bit for each; returns how many stay.
+uint32_t CriticalPoints::drop_farther(uint32_t first, uint32_t count, uint64_t dropped) {
   CubeDirections &directions = directions_[0];
-  const uint64_t dropped = directions.compare(target_, count);
   if (dropped == 0) return count;
   uint32_t left = 0;
   for (uint64_t rest = ~dropped & ~UINT64_C(0) >> (64 - count); rest != 0; rest &= rest - 1) {
@@ -304,12 +303,12 @@ uint32_t CriticalPoints::drop_farther(uint32_t first, uint32_t count) {
   return left;
 }
 
-// The same for balls that are closer together than doubles tell their distances apart, or than the cube is wide. Let y
-// and Y be the vectors from two centres to the middle of the cube. The difference of their lengths is (y - Y).(y + Y) /
-// (|y| + |Y|): as y - Y is exact, it is wrong by a fraction of |y - Y| alone, less than 2^-48. Elsewhere in the cube it
-// is no more than `reach` times the difference of the unit vectors away from that, which is at most 2 |y - Y| / (|y| +
-// |Y|) (Dunkl and Williams 1964).
-uint32_t CriticalPoints::drop_clustered(uint32_t first, uint32_t count, const Vec3 &at, double half) {
+// What may be left out where balls are closer together than doubles tell their distances apart, or than the cube is
+// wide. Let y and Y be the vectors from two centres to the middle of the cube. The difference of their lengths is
+// (y - Y).(y + Y) / (|y| + |Y|): as y - Y is exact, it is wrong by a fraction of |y - Y| alone, less than 2^-48.
+// Elsewhere in the cube it is no more than `reach` times the difference of the unit vectors away from that, which is at
+// most 2 |y - Y| / (|y| + |Y|) (Dunkl and Williams 1964).
+uint64_t CriticalPoints::compare_clustered(uint32_t first, uint32_t count, const Vec3 &at, double half) const {
   const BallSet &balls = *balls_;
   const double reach = root_of_three * half;
   const auto is_farther = [&](uint32_t ball, uint32_t other) {
@@ -320,17 +319,16 @@ uint32_t CriticalPoints::drop_clustered(uint32_t first, uint32_t count, const Ve
     const double off = 2.0 * reach * apart / (lengths - 2.0 * reach);
     return dot(w, y + Y) / lengths - wider > off + 0x1p-44 * (apart + off + std::fabs(wider));
   };
-  uint32_t left = 0;
+  uint64_t dropped = 0;
   for (uint32_t k = 0; k < count; ++k) {
-    const uint32_t ball = candidates_[first + k];
     bool farther = false;
-    for (uint32_t m = 0; m < left && !farther; ++m) farther = is_farther(ball, candidates_[first + m]);
-    for (uint32_t m = k + 1; m < count && !farther; ++m) farther = is_farther(ball, candidates_[first + m]);
-    if (farther) continue;
-    directions_[0].move(k, left);
-    candidates_[first + left++] = ball;
+    for (uint32_t m = 0; m < count && !farther; ++m) {
+      const bool stays = m != k && (dropped >> m & 1) == 0;
+      farther = stays && is_farther(candidates_[first + k], candidates_[first + m]);
+    }
+    dropped |= uint64_t{farther} << k;
   }
-  return left;
+  return dropped;
 }
 
 // Tries the sets of a cube's candidates at once if all of them tie, or nearly tie, at one point.

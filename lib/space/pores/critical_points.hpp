@@ -107,8 +107,8 @@ class CriticalPoints {
   uint32_t enter(const Cube &cube, const Cube &whole, uint32_t part);
   bool is_searched(const Cube &cube) const;
   void search_ties(Cube &cube);
-  uint32_t drop_farther(uint32_t first, uint32_t count);
-  uint32_t drop_clustered(uint32_t first, uint32_t count, const Vec3 &at, double half);
+  uint32_t drop_farther(uint32_t first, uint32_t count, uint64_t dropped);
+  uint64_t compare_clustered(uint32_t first, uint32_t count, const Vec3 &at, double half) const;
   uint32_t leave_few(const Vec3 &at, double half, uint32_t first, uint32_t count, bool thoroughly);
   uint32_t leave_many(const Vec3 &at, double half, uint32_t first, uint32_t count);
   void see_directions(Span<const uint32_t> near, const Vec3 &at);
@@ -180,9 +180,9 @@ class CriticalPoints {
                                                                  uint32_t count, bool thoroughly) {
   CubeDirections &directions = directions_[0];
   directions.set(target_, near_arrays(candidates_.part(first, first + count)), at, half);
-  uint32_t left = drop_farther(first, count);
+  uint32_t left = drop_farther(first, count, directions.compare(target_, count));
   if (left < 3 || directions.lead_up(left)) return 0;
-  if (thoroughly && left > most_tried_whole) left = drop_clustered(first, left, at, half);
+  if (thoroughly && left > most_tried_whole) left = drop_farther(first, left, compare_clustered(first, left, at, half));
   if (left < 3) return 0;
   return thoroughly && directions.lead_up_at_all(left) ? 0 : left;
 }
