@@ -30,7 +30,7 @@ std::vector<Line> lines_of(const std::string &text, failure *why) {
   const TemporaryFile file("lines.txt", text);
   line_reader reader;
   std::vector<Line> lines;
-  *why = failure{0, nullptr, 0, "", false};
+  *why = FAILURE_NONE;
   EXPECT_TRUE(line_reader_open(&reader, file.path().c_str(), why));
   while (line_reader_next(&reader, why) == LINE_READ) {
     EXPECT_EQ(reader.text[reader.length], '\0');
@@ -108,7 +108,7 @@ TEST(LineReader, LinesThatArePassed) {
     }
     const TemporaryFile file("lines.txt", text);
     line_reader reader;
-    failure why = {0, nullptr, 0, "", false};
+    failure why = FAILURE_NONE;
     ASSERT_TRUE(line_reader_open(&reader, file.path().c_str(), &why));
     size_t passes = 0;
     for (;;) {

@@ -20,7 +20,7 @@ static void write_keys(struct keys *keys, enum command command, const char *opti
   char words[160];
   char *word[MOST_WORDS];
   int count = 0;
-  struct failure failure = {0, NULL, 0, "", false};
+  struct failure failure = FAILURE_NONE;
   struct request request;
   struct molecule molecule;
   memset(&molecule, 0, sizeof molecule);

@@ -183,7 +183,7 @@ static bool run(int count, char **arguments, struct text_buffer *out, struct fai
 }
 
 int main(int count, char **arguments) {
-  struct failure failure = {0, NULL, 0, "", false};
+  struct failure failure = FAILURE_NONE;
   struct text_buffer out = TEXT_BUFFER_EMPTY;
 #if defined(_WIN32)
   /* The bytes of a file are those that are written and read, here as elsewhere. */

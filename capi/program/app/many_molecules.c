@@ -63,7 +63,8 @@ struct many {
 static bool take_one(void *of, uint32_t slot, uint64_t *weight) {
   struct many *const many = of;
   struct one *const one = &many->one[slot];
-  one->failure = (struct failure){0, input_name(many->request->file), 0, "", false};
+  one->failure = (struct failure)FAILURE_NONE;
+  one->failure.file = input_name(many->request->file);
   const enum line_status status = molecule_texts_next(&many->texts, &one->text, &one->failure);
   one->done = status == LINE_READ;
   if (many->loop.workers > 1) *weight = MEMORY_OF_BYTE * (uint64_t)one->text.text.length;

@@ -125,7 +125,7 @@ void notes_look_at_result(struct notes *notes, const struct request *request, co
 
 void notes_print(const struct notes *notes, const struct request *request) {
   const uint64_t waters = notes->waters;
-  struct failure note = {0, NULL, 0, "", false};
+  struct failure note = FAILURE_NONE;
   for (const char *line = notes->lines.text; line != NULL && *line != '\0'; line += strcspn(line, "\n") + 1) {
     snprintf(note.reason, sizeof note.reason, "%.*s", (int)strcspn(line, "\n"), line);
     print(request, &note);

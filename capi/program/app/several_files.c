@@ -172,7 +172,7 @@ static bool take_file(void *of, uint32_t slot, uint64_t *weight) {
   struct file *const file = &several->file[slot];
   if (several->taken == several->first->files) return false;
   file->name = several->first->names[several->taken++];
-  file->failure = (struct failure){0, NULL, 0, "", false};
+  file->failure = (struct failure)FAILURE_NONE;
   file->request = request_of(several, file->name, &file->failure);
   file->out.length = 0;
   if (several->loop.workers > 1) *weight = memory_of(file->name);
@@ -236,7 +236,8 @@ bool several_files_run(const struct request *first, int count, char **arguments,
     if (loop->workers > 1) progress_be_quiet();
     const bool enough = in_order_run(loop);
     progress_end(&several.progress);
-    *failure = (struct failure){several.exit_status, NULL, 0, "", false};
+    *failure = (struct failure)FAILURE_NONE;
+    failure->exit_status = several.exit_status;
     done = (enough || failure_of_memory(failure)) && !stopping_asked();
   }
   for (uint32_t k = 0; several.file != NULL && k < loop->slots; ++k) {

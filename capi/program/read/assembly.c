@@ -448,7 +448,7 @@ static bool is_identity(const struct symmetry_operator *to) {
 
 /* Whether the part leaves its chains as they are. */
 static bool is_plain(const struct assemblies *assemblies, const struct assembly_part *part) {
-  struct failure unused = {0, NULL, 0, "", false};
+  struct failure unused = FAILURE_NONE;
   struct operator_list list;
   const bool plain = expand(assemblies, part, &list, &unused) && list.count == 1 && is_identity(&list.of[0]);
   free(list.of);

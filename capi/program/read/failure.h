@@ -16,6 +16,8 @@ struct failure {
   char reason[512];
   bool of_memory; /* whether it is that memory is short */
 };
+#define FAILURE_NONE \
+  { 0, NULL, 0, "", false }
 
 /* Marks functions that are seldom called. They are not inlined, so that their callers save fewer registers. */
 #ifdef __GNUC__

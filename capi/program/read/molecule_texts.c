@@ -98,7 +98,8 @@ enum line_status molecule_texts_next(struct molecule_texts *texts, struct molecu
   if (status == LINE_FAILED && (!any || lines->open)) return LINE_FAILED;
   if (status == LINE_FAILED) {
     texts->broken = *failure;
-    *failure = (struct failure){0, failure->file, 0, "", false};
+    *failure = (struct failure)FAILURE_NONE;
+    failure->file = texts->broken.file;
   }
   const bool none = status == LINE_END && (is_blank(&text->text) || lines->count == 0);
   if (none && texts->given > 0) return LINE_END;
