@@ -303,7 +303,7 @@ uint32_t CriticalPoints::drop_farther(uint32_t first, uint32_t count, uint64_t d
   return left;
 }
 
-// A bit for each candidate to leave out, of balls closer together than doubles tell their distances apart, or the cube is
+// A bit for each candidate to leave out, of balls closer together than doubles tell distances apart, or the cube is
 // wide. Let y and Y be the vectors from two centres to the middle of the cube. The difference of their lengths is
 // (y - Y).(y + Y) / (|y| + |Y|): as y - Y is exact, it is wrong by a fraction of |y - Y| alone, less than 2^-48.
 // Elsewhere in the cube it is no more than `reach` times the difference of the unit vectors away from that, which is at
